@@ -27,5 +27,6 @@ Box3 mesh_box(const scene::Mesh& mesh);
 Transform cone_frame(const scene::Cone& cone);
 Transform disc_frame(const scene::Disc& disc);
 Transform polygon_frame(const scene::Polygon& polygon);
+Transform text_frame();
 
 }  // namespace verisim::shapes

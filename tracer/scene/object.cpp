@@ -185,7 +185,7 @@ InteriorPtr transformed(const InteriorPtr& interior, Transforms steps) {
 // the total matrix (spec 03 2.2).
 bool box_steps(const Object& object) {
   return object.as<Csg>() || object.as<LightGroup>() || object.as<Quadric>() ||
-         object.as<std::shared_ptr<const Blob>>() || object.as<Mesh>();
+         object.as<std::shared_ptr<const Blob>>() || object.as<Mesh>() || object.as<std::shared_ptr<const Text>>();
 }
 
 Bounds polygon_padded(const Bounds& b) {
@@ -207,8 +207,9 @@ Bounds polygon_bounds(const Polygon& polygon, const Object& object) {
 Bounds bounds_from_numbers(const Object& object) {
   if (const Polygon* polygon = object.as<Polygon>()) return polygon_bounds(*polygon, object);
   const Bounds local = local_bounds(object);
-  const bool infinite = object.as<Plane>() || object.as<Poly>();
-  return object.transform && !infinite ? transformed(local, *object.transform) : local;
+  // The box of a text is that of its frame already.
+  const bool fixed = object.as<Plane>() || object.as<Poly>() || object.as<std::shared_ptr<const Text>>();
+  return object.transform && !fixed ? transformed(local, *object.transform) : local;
 }
 
 // Clips that were added since the box of a quadric was last computed count before the next transformation.
@@ -301,6 +302,7 @@ void compute_bounds(Object& object) {
       object.transform = shapes::disc_frame(*disc);
     }
     if (const Polygon* polygon = object.as<Polygon>()) object.transform = shapes::polygon_frame(*polygon);
+    if (object.as<std::shared_ptr<const Text>>()) object.transform = shapes::text_frame();
   }
   if (object.as<Csg>() || object.as<LightGroup>()) {
     if (auto* csg = object.as<Csg>()) {

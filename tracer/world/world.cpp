@@ -324,6 +324,15 @@ const Hierarchy& World::Impl::hierarchy() const {
   return made_hierarchy;
 }
 
+bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
+  // Where a ray runs through the box for a while, rounding cannot refuse it.
+  double near = -HUGE_VAL, far = HUGE_VAL;
+  if (clip_to_box(ray, entries[index].box, near, far) &&
+      far - near > kCoincident * (std::fabs(near) + length(ray.origin)))
+    return true;
+  return hierarchy().reaches(ray, index);
+}
+
 void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const {
   thread_local std::vector<const Coincidences::Met*> there;
   there.clear();

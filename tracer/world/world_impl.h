@@ -2,7 +2,9 @@
 // eight.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <mutex>
@@ -42,17 +44,12 @@ struct Entry {
     return (!test_box || clip_to_box(ray, box, near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
-  // A hit near an edge of the box.
+  // A hit near an edge of the box, which is wider than POV-Ray's by less than the slack.
   bool at_edge(const Hit& hit) const {
-    const scene::Bounds& b = object->bounds;
-    const double slack = kCoincident * hit.t;
-    int faces = 0;
-    for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const double above = hit.point[i] - b.low[k];
-      faces += std::fabs(above) < slack || std::fabs(above - b.size[k]) < slack;
-    }
-    return faces > 1;
+    const Vec3& p = hit.point;
+    const double slack = kCoincident * (hit.t + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z)) + 1e-8;
+    const auto near_face = [&](int i) { return std::min(p[i] - box.min[i], box.max[i] - p[i]) < slack; };
+    return near_face(0) + near_face(1) + near_face(2) > 1;
   }
 };
 
@@ -163,8 +160,9 @@ struct World::Impl {
   // POV-Ray finds this hit of an entry, too.
   bool admits(std::uint32_t index, const Ray& ray, const Hit& hit) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.edged || !e.at_edge(hit) || hierarchy().reaches(ray, index));
+    return e.slab.passes(ray) && (!e.edged || !e.at_edge(hit) || reaches(ray, index));
   }
+  bool reaches(const Ray& ray, std::uint32_t index) const;  // whether POV-Ray's hierarchy asks it
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).
   void settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const;
   void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/frame.h"
 #include "tracer/shapes/tree_primitive.h"
 #include "tracer/shapes/text/truetype.h"
 
@@ -55,14 +56,18 @@ std::vector<PlacedGlyph> layout(const scene::Text& text) {
   return result;
 }
 
-// Every text is turned a little before its modifiers apply.
-Transform small_rotation() { return Transform::rotation({0.001, 0.001, 0.001}); }
-
 Box3 box_of(const PlacedGlyph& g, double thickness) {
   // A negative thickness leaves the caps, but no sides between them.
   const double near = std::min(-1e-6, thickness + 1e-6), far = std::max(-1e-6, thickness + 1e-6);
   return Box3({g.origin.x + g.glyph->x_min, g.origin.y + g.glyph->y_min, near},
               {g.origin.x + g.glyph->x_max, g.origin.y + g.glyph->y_max, far});
+}
+
+// In the space of the outlines.
+Box3 glyphs_box(const scene::Text& text) {
+  Box3 box;
+  for (const PlacedGlyph& g : layout(text)) box.extendBy(box_of(g, text.thickness));
+  return box.isEmpty() ? everywhere() : box;
 }
 
 // Roots of a s^2 + b s + c within [0, 1].
@@ -78,39 +83,43 @@ int unit_roots(double a, double b, double c, double (&roots)[2]) {
   const double discriminant = b * b - 4 * a * c;
   if (!(discriminant >= 1e-10)) return 0;
   const double root = std::sqrt(discriminant);
-  // Written so that a nearly straight curve, whose a is a rounding error, keeps its root.
-  const double q = -0.5 * (b + std::copysign(root, b));
-  keep(q / a);
-  if (q != 0) keep(c / q);
+  if (std::fabs(a) < kEpsilon) {
+    // So a nearly straight curve, whose a is a rounding error, keeps its root.
+    const double q = -0.5 * (b + std::copysign(root, b));
+    keep(q / a);
+    if (q != 0) keep(c / q);
+    return count;
+  }
+  keep((-b + root) / (2 * a));
+  keep((-b - root) / (2 * a));
   return count;
 }
 
 class Text final : public TreePrimitive<Text> {
  public:
   Text(const scene::Object& description, const scene::Text& text)
-      : TreePrimitive(description, {text_box(text), true}),
-        thickness_(text.thickness),
-        glyphs_(layout(text)),
-        to_object_(small_rotation()) {
+      : TreePrimitive(description, {glyphs_box(text), true}), thickness_(text.thickness), glyphs_(layout(text)) {
     tree_ = accel::Bvh(
         glyphs_.size(),
         [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
-    const Transform total = has_matrix() ? to_object_.then(matrix()) : to_object_;
-    total_ = total;
+    const Mat4& inverse = matrix().inv;
+    for (const PlacedGlyph& g : glyphs_)
+      shifts_.emplace_back(inverse[3][0] - g.origin.x, inverse[3][1] - g.origin.y, inverse[3][2]);
   }
 
   const accel::Bvh& tree() const { return tree_; }
   bool turned() const { return true; }
-  Vec3 to_tree(const Vec3& p) const { return total_.inverse_point(p); }
+  Vec3 to_tree(const Vec3& p) const { return matrix().inverse_point(p); }
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
-    const Vec3 o = total_.inverse_point(ray.origin), d = total_.inverse_direction(ray.direction);
     // The direction is not normalised: depths are world distances.
+    const Vec3 o = matrix().inverse_point(ray.origin), d = matrix().inverse_direction(ray.direction);
+    const Vec3 turned = matrix().inverse_direction(ray.origin);
     tree_.traverse(
         {o, d}, 0, sink.upper(),
         [&](std::uint32_t g, double) {
-          const Vec3 local_origin(o.x - glyphs_[g].origin.x, o.y - glyphs_[g].origin.y, o.z);
+          const Vec3 local_origin = turned + shifts_[g];
           caps(g, ray, local_origin, d, sink);
           sides(g, ray, local_origin, d, sink);
           return sink.upper();
@@ -119,11 +128,11 @@ class Text final : public TreePrimitive<Text> {
   }
 
   bool contains(const Vec3& p) const {
-    const Vec3 q = total_.inverse_point(p);
-    if (!(q.z >= 0 && q.z <= thickness_)) return false;
-    for (const PlacedGlyph& g : glyphs_) {
-      if (in_outline(*g.glyph, q.x - g.origin.x, q.y - g.origin.y)) return true;
-    }
+    const Vec3 turned = matrix().inverse_direction(p);
+    const double z = turned.z + matrix().inv[3][2];
+    if (!(z >= 0 && z <= thickness_)) return false;
+    for (std::size_t g = 0; g < glyphs_.size(); ++g)
+      if (in_outline(*glyphs_[g].glyph, turned.x + shifts_[g].x, turned.y + shifts_[g].y)) return true;
     return false;
   }
 
@@ -136,7 +145,7 @@ class Text final : public TreePrimitive<Text> {
           s.straight ? s.end - s.begin : 2 * hit.u * (s.begin - 2.0 * s.middle + s.end) + 2.0 * (s.middle - s.begin);
       n = Vec3(way.y, -way.x, 0);
     }
-    return normalize(total_.normal(n));
+    return normalize(matrix().normal(n));
   }
 
  private:
@@ -150,7 +159,7 @@ class Text final : public TreePrimitive<Text> {
       sink.add(
           t, [&] { return ray.at(t); }, part, 0, g);
     };
-    const double front = (0 - o.z) / d.z, back = (thickness_ - o.z) / d.z;
+    const double front = (0 - o.z) / d.z, back = front + thickness_ / d.z;
     // Where only the nearest hit is wanted, the nearer cap may spare the other one.
     const bool back_first = Sink::kNearest && back < front;
     if (back_first) cap(kBack, back);
@@ -163,7 +172,7 @@ class Text final : public TreePrimitive<Text> {
     if ((std::fabs(d.x) < kEpsilon && std::fabs(d.y) < kEpsilon) || sink.upper() < sink.lower()) return;
     const Glyph& glyph = *glyphs_[g].glyph;
     // On which side of the ray's line, seen along z, a point lies.
-    const auto side = [&](const Vec2& p) { return (p.x - o.x) * d.y - (p.y - o.y) * d.x; };
+    const auto side = [&](const Vec2& p) { return p.x * d.y - p.y * d.x - (o.x * d.y - o.y * d.x); };
     const auto report = [&](double t, std::size_t i, double s) {
       if (!(t > kNearest)) return;
       const double z = o.z + t * d.z;
@@ -176,9 +185,10 @@ class Text final : public TreePrimitive<Text> {
       if (p.straight) {
         const double ex = p.end.x - p.begin.x, ey = p.end.y - p.begin.y, det = d.x * ey - d.y * ex;
         if (std::fabs(det) < kEpsilon) return;
-        const double s = side(p.begin) / det;
+        const double s = ((p.begin.x - o.x) * d.y - (p.begin.y - o.y) * d.x) / det;
         if (!(s >= 0 && s <= 1)) return;
-        return report(((p.begin.x - o.x) * ey - (p.begin.y - o.y) * ex) / det, i, s);
+        const bool by_x = std::fabs(d.x) > kEpsilon;
+        return report(by_x ? (p.begin.x + s * ex - o.x) / d.x : (p.begin.y + s * ey - o.y) / d.y, i, s);
       }
       const double s0 = side(p.begin), s1 = side(p.middle), s2 = side(p.end);
       if ((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0)) return;
@@ -187,8 +197,8 @@ class Text final : public TreePrimitive<Text> {
       const int count = unit_roots(a.x * d.y - a.y * d.x, b.x * d.y - b.y * d.x, s0, roots);
       for (int k = 0; k < count; ++k) {
         const double s = roots[k];
-        const bool by_x = std::fabs(d.x) > std::fabs(d.y);
-        const double at = by_x ? (a.x * s + b.x) * s + p.begin.x - o.x : (a.y * s + b.y) * s + p.begin.y - o.y;
+        const bool by_x = std::fabs(d.x) > kEpsilon;
+        const double at = by_x ? s * s * a.x + b.x * s + p.begin.x - o.x : s * s * a.y + b.y * s + p.begin.y - o.y;
         report(at / (by_x ? d.x : d.y), i, s);
       }
     });
@@ -201,7 +211,7 @@ class Text final : public TreePrimitive<Text> {
     const double across = std::fabs(d.x) + std::fabs(d.y);
     double from = std::max(sink.lower(), 0.0), to = sink.upper();
     if (std::fabs(d.z) > 1e-9 * across) {
-      const double front = (0 - o.z) / d.z, back = (thickness_ - o.z) / d.z;
+      const double front = (0 - o.z) / d.z, back = front + thickness_ / d.z;
       from = std::max(from, std::min(front, back)), to = std::min(to, std::max(front, back));
     }
     if (!(to < 1e30)) return Rectangle(Vec2(-HUGE_VAL), Vec2(HUGE_VAL));
@@ -242,21 +252,25 @@ class Text final : public TreePrimitive<Text> {
 
   double thickness_;
   std::vector<PlacedGlyph> glyphs_;
-  Transform to_object_, total_;
+  std::vector<Vec3> shifts_;  // the translation of the inverse and each glyph's own, which is part of its matrix
   accel::Bvh tree_;
 };
 
 }  // namespace
 
 std::unique_ptr<Shape> compile_text(const scene::Object& object) {
-  return std::make_unique<Text>(object, **object.as<std::shared_ptr<const scene::Text>>());
+  const auto frame = [](const scene::Text&) { return text_frame(); };
+  return compile_in_frame<Text>(object, **object.as<std::shared_ptr<const scene::Text>>(), frame);
 }
 
+// Every text is turned a little before its modifiers apply.
+Transform text_frame() { return Transform::rotation({0.001, 0.001, 0.001}); }
+
 Box3 text_box(const scene::Text& text) {
-  Box3 b, result;
-  for (const PlacedGlyph& g : layout(text)) b.extendBy(box_of(g, text.thickness));
-  if (b.isEmpty()) return everywhere();
-  const Transform turn = small_rotation();
+  const Box3 b = glyphs_box(text);
+  if (b == everywhere()) return b;
+  Box3 result;
+  const Transform turn = text_frame();
   for (int corner = 0; corner < 8; ++corner) {
     result.extendBy(
         turn.point({corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z}));

@@ -78,7 +78,7 @@ TEST_F(Text, CompositeGlyphs) {
 TEST_F(Text, LargeTextLosesItsCurvedSides) {
   for (const double s : {1.0, 1e4, 1e5}) {
     auto o = object(text(u"O"));
-    o.transform = Transform::scaling(Vec3(s));
+    o.transform = text_frame().then(Transform::scaling(Vec3(s)));
     const auto hit = trace(o, Vec3(-2, .3, .15) * s, {1, 0, 0});
     if (s == 1.0) {
       EXPECT_NEAR(hit->point.x, 0.002422884337431, 1e-13);

@@ -259,7 +259,7 @@ Glyph TrueTypeFont::glyph(std::uint16_t index) const {
         e;
   }
   for (const auto& contour : o.contours) {
-    const auto at = [&](std::size_t i) { return Vec2(contour[i].x * e, contour[i].y * e); };
+    const auto at = [&](std::size_t i) { return Vec2(contour[i].x / units_, contour[i].y / units_); };
     const std::size_t n = contour.size();
     Vec2 pen = at(0);  // taken as on the curve, whatever its flag
     for (std::size_t i = 1; i <= n; ++i) {

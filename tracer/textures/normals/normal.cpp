@@ -9,6 +9,12 @@
 namespace verisim::textures {
 namespace {
 
+// How far v is from one entry to the next. Normals and slopes, unlike colours, are blended in double precision.
+double fraction(const MapPositions& positions, const MapPlace& place, double v) {
+  const double low = positions.position(place.lower);
+  return (v - low) / (positions.position(place.upper) - low);
+}
+
 Vec3 dents_bump(const Vec3& p, int noise_generator) {
   const double n = noise(p, noise_generator);
   return n * n * n * vector_noise(p);
@@ -103,7 +109,8 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
       return;
     }
     case map: {
-      const MapPlace place = c.positions.find(value_at(*c.pattern, q, &surface));
+      const double value = value_at(*c.pattern, q, &surface);
+      const MapPlace place = c.positions.find(value);
       const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
       surface.normal = n;
       apply(*c.children[place.upper], q, surface);
@@ -111,7 +118,8 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
         const Vec3 upper = surface.normal;
         surface.normal = n;
         apply(*c.children[place.lower], q, surface);
-        surface.normal += static_cast<double>(place.t) * (upper - surface.normal);
+        const double t = fraction(c.positions, place, value);
+        surface.normal = (1 - t) * surface.normal + t * upper;
       }
       break;
     }
@@ -140,7 +148,7 @@ double height_of(const CompiledNormal& c, double v) {
   const MapPlace place = c.positions.find(v);
   if (place.single()) return c.slopes[place.upper].height;
   const scene::SlopeEntry &a = c.slopes[place.lower], &b = c.slopes[place.upper];
-  const double low = c.positions.position(place.lower), t = (v - low) / (c.positions.position(place.upper) - low);
+  const double t = fraction(c.positions, place, v);
   const double rise = a.height - b.height;
   return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) + t * a.slope +
          a.height;

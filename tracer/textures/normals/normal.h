@@ -30,7 +30,7 @@ inline const Vec3 kHeightSamples[4] = {{0.942809041, -0.333333333, 0},
                                        {-0.471404521, -0.333333333, 0.816496581},
                                        {-0.471404521, -0.333333333, -0.816496581},
                                        {0, 1, 0}};
-inline double height_strength(const CompiledNormal& c) { return c.amount * -5 * 0.02 / c.accuracy; }
+inline double height_strength(const CompiledNormal& c) { return c.amount * -5 * (0.02 / c.accuracy); }
 // From the pattern's value to the height: the slope_map, if there is one.
 double height_of(const CompiledNormal& c, double v);
 

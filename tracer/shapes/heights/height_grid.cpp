@@ -1,6 +1,7 @@
 #include "tracer/shapes/heights/height_grid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "tracer/image/image.h"
@@ -51,6 +52,7 @@ HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_lev
   if (empty()) return;
   build_pyramid();
   smooth_ = field.smooth;
+  if (smooth_) normals_.reset(static_cast<std::uint64_t*>(std::calloc(heights_.size(), sizeof(std::uint64_t))));
 }
 
 // Extremes of the cells of one row, from the heights below and above it.
@@ -116,6 +118,23 @@ void HeightGrid::build_pyramid() {
 }
 
 Vec3 HeightGrid::smooth_normal(int i, int k) const {
+  if (!normals_) return normal_from_heights(i, k);
+  constexpr std::uint64_t kKnown = std::uint64_t{1} << 48;
+  const auto component = [](std::uint64_t bits) { return static_cast<double>(static_cast<std::int16_t>(bits)); };
+  const auto bits = [](double v) { return std::uint64_t{static_cast<std::uint16_t>(static_cast<std::int16_t>(v))}; };
+  // Threads that compute the same normal write the same number.
+  const std::atomic_ref<std::uint64_t> kept(
+      normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)]);
+  std::uint64_t known = kept.load(std::memory_order_relaxed);
+  if (known == 0) {
+    const Vec3 n = normal_from_heights(i, k);
+    known = bits(n.x) | bits(n.y) << 16 | bits(n.z) << 32 | kKnown;
+    kept.store(known, std::memory_order_relaxed);
+  }
+  return {component(known), component(known >> 16), component(known >> 32)};
+}
+
+Vec3 HeightGrid::normal_from_heights(int i, int k) const {
   constexpr int kQuadrants[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
   const double h = at(i, k);
   Vec3 sum(0, 0, 0);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -46,8 +47,8 @@ class HeightGrid {
 
   bool smooth() const { return smooth_; }
   // The sum of the unit normals of the up to four triangles around a sample, cut to multiples of 1/32767. Heights count
-  // 65536 to a unit, so the vertical part is small and coarse, as it is in POV-Ray. Not kept: few pictures look at all
-  // samples of a field.
+  // 65536 to a unit, so the vertical part is small and coarse, as it is in POV-Ray. Computed when it is first
+  // asked for: few pictures look at all samples of a field.
   Vec3 smooth_normal(int i, int k) const;
 
  private:
@@ -60,6 +61,10 @@ class HeightGrid {
     int width = 0, depth = 0;
     std::vector<Block> blocks;
   };
+  struct Free {
+    void operator()(void* p) const { std::free(p); }
+  };
+  Vec3 normal_from_heights(int i, int k) const;
   void batch_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const;
   Level blocks_of_cells() const;
   static Level blocks_of_blocks(const Level& below);
@@ -70,6 +75,9 @@ class HeightGrid {
   std::vector<std::uint16_t> heights_;
   std::vector<Level> levels_;
   bool smooth_ = false;
+  // Normals that have been asked for: three times sixteen bits, and one that says so. What nobody looks at takes no
+  // memory. Null: there was none, they are computed each time.
+  std::unique_ptr<std::uint64_t[], Free> normals_;
 };
 
 // Height 0 .. 65535 of pixel (x, y).

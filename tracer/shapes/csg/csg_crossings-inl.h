@@ -122,13 +122,25 @@ struct OnRay {
   }
 };
 
+// A ray in a node's own space, its direction as long as that makes it. Not copied where there is no matrix
+// (inside_simple).
+template <class Number>
+struct NodeRay {
+  PacketVector<Number> moved_o, moved_d;
+  const PacketVector<Number>&o, &d;
+
+  HWY_INLINE NodeRay(const Search<Number>& s, const CsgNode& n)
+      : o(n.simple.matrix ? moved_o : s.o), d(n.simple.matrix ? moved_d : s.d) {
+    if (const Transform* m = n.simple.matrix)
+      moved_o = transform_point(m->inv, s.o), moved_d = transform_direction(m->inv, s.d);
+  }
+};
+
 template <class Number>
 void cross_plane(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& p = n.simple;
-  const PacketVector<Number> o = local_point(n, s.o),
-                             d = p.matrix ? transform_direction(n.simple.matrix->inv, s.d) : s.d;
-  const Number slope = p.a.x * d.x + p.a.y * d.y + p.a.z * d.z,
-               t = (Number(p.c) - (p.a.x * o.x + p.a.y * o.y + p.a.z * o.z)) / slope;
+  const NodeRay<Number> ray(s, n);
+  const Number slope = dot(ray.d, p.a), t = (Number(p.c) - dot(ray.o, p.a)) / slope;
   consider(s, n, t, ~(abs(slope) < kEpsilon) & (t >= kNearestPlane) & (t <= kFarthestPlane), IntsFor<Number>(0));
 }
 
@@ -168,12 +180,11 @@ void cross_quadric(Search<Number>& s, const CsgNode& n) {
   quadric_crossings(s.o, s.d, *n.simple.quadric, OnRay<Number>{s, n, nullptr});
 }
 
-// The direction keeps its length.
 template <class Number>
 void cross_box(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& b = n.simple;
-  const PacketVector<Number> d = b.matrix ? transform_direction(b.matrix->inv, s.d) : s.d;
-  box_crossings(local_point(n, s.o), d, b.a, b.b, b.turned, OnRay<Number>{s, n, nullptr});
+  const NodeRay<Number> ray(s, n);
+  box_crossings(ray.o, ray.d, b.a, b.b, b.turned, OnRay<Number>{s, n, nullptr});
 }
 
 template <class Number>

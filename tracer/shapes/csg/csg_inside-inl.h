@@ -30,17 +30,14 @@ HWY_INLINE Vec3 lane_of(const PacketVector<Number>& p, int k) {
   return {p.x[k], p.y[k], p.z[k]};
 }
 
-// A point in a node's own space.
-template <class Number>
-HWY_INLINE PacketVector<Number> local_point(const CsgNode& n, const PacketVector<Number>& p) {
-  return n.simple.matrix ? transform_point(n.simple.matrix->inv, p) : p;
-}
-
 // As the shapes' `formula`.
 template <class Number>
 unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
   const SimpleSolid& s = n.simple;
-  const PacketVector<Number> p = local_point(n, at);
+  // Not copied where there is no matrix: GCC copies by halves of the widest registers, and who reads them whole waits.
+  PacketVector<Number> moved;
+  if (s.matrix) moved = transform_point(s.matrix->inv, at);
+  const PacketVector<Number>& p = s.matrix ? moved : at;
   const unsigned turned = s.inverted ? (1u << Number::kCount) - 1 : 0;
   switch (s.form) {
     case SimpleSolid::Form::plane:

@@ -87,7 +87,8 @@ class Polygon final : public Primitive<Polygon> {
     return box;
   }
   // Even-odd rule along +x: a point level with an edge's upper end crosses it, and so does one on it (the crossings
-  // test of Haines, "Point in polygon strategies", Graphics Gems IV, 1994, whose order of operations POV-Ray's is).
+  // test of Haines, "Point in polygon strategies", Graphics Gems IV, 1994). Of the rules tried, the one that agrees
+  // with POV-Ray on most rays through points of a lattice; 2 to 26 of 3,000 differ.
   bool covers(const Vec2& p) const {
     bool odd = false;
     for (const Edge& e : edges_) {

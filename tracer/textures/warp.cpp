@@ -108,7 +108,7 @@ struct Walk {
     };
     p = Vec3(to(0), to(1), to(2));
   }
-  void operator()(const TurbulenceStep&) {}
+  void operator()(const TurbulenceStep*) {}
   void operator()(const RepeatStep& s) { p = repeat(s, p); }
   void operator()(const BlackHoleStep& s) { p = black_hole(s, p); }
   void operator()(const ProjectionStep& s) { p = project(s, p); }
@@ -117,6 +117,7 @@ struct Walk {
 
 struct Append {
   WarpChain& chain;
+  TurbulenceTable& table;
   void operator()(const Transform& t) const {
     if (t.is_identity()) return;
     AffineStep step{};
@@ -130,8 +131,7 @@ struct Append {
     }
   }
   void operator()(const scene::TurbulenceWarp& w) const {
-    const TurbulenceStep step = compile_turbulence(w);
-    if (step.amount != Vec3(0, 0, 0)) chain.rest.emplace_back(step);
+    if (w.amount != Vec3(0, 0, 0)) chain.rest.emplace_back(table.get(w));
   }
   void operator()(const scene::ProjectionWarp& w) const {
     ProjectionStep step = w;
@@ -147,14 +147,20 @@ struct Append {
 
 }  // namespace
 
-TurbulenceStep compile_turbulence(const scene::Turbulence& turbulence) {
-  return {turbulence.amount, Octaves(turbulence.octaves, turbulence.lambda, turbulence.omega)};
+const TurbulenceStep* TurbulenceTable::get(const scene::Turbulence& t) {
+  const Key key(t.amount.x, t.amount.y, t.amount.z, t.octaves, t.lambda, t.omega);
+  return &known_.try_emplace(key, TurbulenceStep{t.amount, Octaves(t.octaves, t.lambda, t.omega)}).first->second;
 }
 
-WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceStep* classic) {
+const TurbulenceStep& no_turbulence() {
+  static const TurbulenceStep none{{0, 0, 0}, Octaves(6, 2, 0.5)};
+  return none;
+}
+
+WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceStep* classic, TurbulenceTable& table) {
   WarpChain chain;
-  for (const scene::Warp& warp : warps) std::visit(Append{chain}, warp);
-  if (classic && classic->amount != Vec3(0, 0, 0)) chain.rest.emplace_back(*classic);
+  for (const scene::Warp& warp : warps) std::visit(Append{chain, table}, warp);
+  if (classic && classic->amount != Vec3(0, 0, 0)) chain.rest.emplace_back(classic);
   return chain;
 }
 

@@ -2,6 +2,8 @@
 // sections 3.1 and 6).
 #pragma once
 
+#include <map>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -22,7 +24,9 @@ using RepeatStep = scene::RepeatWarp;
 using BlackHoleStep = scene::BlackHoleWarp;
 using ProjectionStep = scene::ProjectionWarp;  // orientation normalised
 using CubicStep = scene::CubicWarp;
-using WarpStep = std::variant<AffineStep, TurbulenceStep, RepeatStep, BlackHoleStep, ProjectionStep, CubicStep>;
+// Turbulence is a pointer: it is large, and copies of an object have the same.
+using WarpStep =
+    std::variant<AffineStep, const TurbulenceStep*, RepeatStep, BlackHoleStep, ProjectionStep, CubicStep>;
 // Most chains are one transformation or none; that is applied without a look at the rest.
 struct WarpChain {
   bool transforms = false;
@@ -30,10 +34,21 @@ struct WarpChain {
   std::vector<WarpStep> rest;
 };
 
-// Octaves within what POV-Ray allows, single precision values widened.
-TurbulenceStep compile_turbulence(const scene::Turbulence& turbulence);
-// Leaves out steps that change nothing. `classic`: the turbulence at the end of the chain, or null.
-WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceStep* classic);
+// Octaves within what POV-Ray allows, single precision values widened; equal ones are one.
+class TurbulenceTable {
+ public:
+  const TurbulenceStep* get(const scene::Turbulence& turbulence);
+
+ private:
+  using Key = std::tuple<double, double, double, int, float, float>;
+  std::map<Key, TurbulenceStep> known_;
+};
+// What turbulence is where none is written.
+const TurbulenceStep& no_turbulence();
+
+// Leaves out steps that change nothing. `classic`: the turbulence at the end of the chain, or null. What it points to
+// is in the table.
+WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceStep* classic, TurbulenceTable& table);
 
 // One step other than turbulence.
 Vec3 walk_step(const WarpStep& step, const Vec3& p);

@@ -85,15 +85,20 @@ CompiledPattern compile_pattern(const scene::Pattern& d, const PatternContext& c
   const int generator = d.noise_generator & 3;
   c.noise_generator = generator != 0 ? generator : context.settings.noise_generator;
   if (d.turbulence) {
-    c.turbulence = compile_turbulence(*d.turbulence);
+    c.turbulence = context.turbulences.get(*d.turbulence);
     c.turbulent = true;
   }
-  c.chain = compile_warps(
-      d.warps, d.turbulence && !scene::info(d.kind).is(scene::PatternInfo::kUndisplaced) ? &c.turbulence : nullptr);
-  for (const scene::Warp& warp : d.warps)
-    if (const Transform* t = std::get_if<Transform>(&warp); t && !t->is_identity()) c.frame.push_back(*t);
+  const bool displaced = d.turbulence && !scene::info(d.kind).is(scene::PatternInfo::kUndisplaced);
+  c.chain = compile_warps(d.warps, displaced ? c.turbulence : nullptr, context.turbulences);
   c.data = compile_parameters(d, context);
   return c;
+}
+
+std::vector<Transform> frame_of(const scene::Pattern& d) {
+  std::vector<Transform> frame;
+  for (const scene::Warp& warp : d.warps)
+    if (const Transform* t = std::get_if<Transform>(&warp); t && !t->is_identity()) frame.push_back(*t);
+  return frame;
 }
 
 }  // namespace verisim::textures

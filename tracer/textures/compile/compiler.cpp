@@ -25,11 +25,15 @@ namespace {
 // Deeper nesting (pigment in pigment_map in pigment_map ...) would overflow the stack when it is evaluated.
 constexpr int kMaxDepth = 1000;
 
-bool lets_light_through(const Color& c) { return std::fabs(c.f) > kEpsilon || std::fabs(c.t) > kEpsilon; }
-
 bool usable_quick_color(const scene::Pigment& d) {
   return d.quick_color && d.quick_color->r != -1 && d.quick_color->g != -1 && d.quick_color->b != -1;
 }
+
+// A pattern that was compiled: what is compiled later may be the same.
+struct KnownPattern {
+  const scene::Pattern* description;  // part of what a cache keeps
+  CompiledPattern* compiled;
+};
 
 }  // namespace
 
@@ -43,9 +47,11 @@ struct Compiler::Impl {
   CompiledCache<scene::Normal, CompiledNormal> normals;
   std::unordered_map<SolidColor, const CompiledPigment*, EqualTexturesHash> solid_colors;
   std::unordered_map<SingleLayer, const CompiledTexture*, EqualTexturesHash> single_layers;
+  std::unordered_map<PlainNormal, const CompiledNormal*, EqualTexturesHash> plain_normals;
+  std::unordered_map<std::string, ColorTable> color_tables;  // by the bytes of their maps
+  TurbulenceTable turbulences;
   std::deque<CompiledPattern> patterns;
-  std::unordered_map<std::string, CompiledPattern*> known_patterns;
-  std::deque<CompiledPigment> loose_pigments;
+  std::unordered_multimap<std::size_t, KnownPattern> known_patterns;  // by hashes of their signatures
   std::shared_ptr<const std::vector<WaveSource>> sources;
   int depth = 0;
 
@@ -60,7 +66,9 @@ struct Compiler::Impl {
     int& depth;
   };
 
-  const CompiledPattern* pattern(const scene::Pattern& d);
+  CompiledPattern* known_pattern(const scene::Pattern& d);
+  const CompiledPattern* pattern(const scene::Pattern& d) { return known_pattern(d); }
+  const CompiledPattern* pattern_with_frame(const scene::Pattern& d);
   const CompiledPigment* pigment(const scene::PigmentPtr& d);
   const CompiledPigment* density(const scene::DensityPtr& d);
   const CompiledNormal* normal(const scene::NormalPtr& d, bool no_bump_scale);
@@ -69,6 +77,7 @@ struct Compiler::Impl {
   // Equal ones are one.
   const CompiledPigment* share(CompiledPigment c);
   const CompiledTexture* share(CompiledTexture c);
+  const CompiledNormal* share(CompiledNormal c);
 
   CompiledPigment make_pigment(const scene::Pigment& d);
   CompiledPigment make_density(const scene::Density& d);
@@ -78,24 +87,36 @@ struct Compiler::Impl {
   template <class Entries, class CompileChild>
   void use_children(CompiledPigment& c, const scene::Pattern& d, const Entries& entries, CompileChild compile_child);
   void use_colors(CompiledPigment& c, const scene::Pattern& d, const scene::ColorMap& map);
+  const ColorTable& color_table(const scene::ColorMap& map);
 };
 
-const CompiledPattern* Compiler::Impl::pattern(const scene::Pattern& d) {
-  const PatternContext context{settings, [this](const scene::PigmentPtr& p) { return pigment(p); },
+CompiledPattern* Compiler::Impl::known_pattern(const scene::Pattern& d) {
+  const PatternContext context{settings,
+                               [this](const scene::PigmentPtr& p) { return pigment(p); },
                                [this] {
                                  if (!sources) sources = wave_sources(settings.number_of_waves);
                                  return sources;
-                               }};
+                               },
+                               turbulences};
   const std::string signature = pattern_signature(d);
-  if (const auto found = known_patterns.find(signature); found != known_patterns.end()) {
-    CompiledPattern* known = found->second;
+  const std::size_t hash = std::hash<std::string>()(signature);
+  for (auto [known, end] = known_patterns.equal_range(hash); known != end; ++known) {
+    if (pattern_signature(*known->second.description) != signature) continue;
+    CompiledPattern* const pattern = known->second.compiled;
     static std::atomic<std::uint64_t> next_id{1};
-    if (known->shared_id == 0 && worth_remembering(*known)) known->shared_id = next_id++;
-    return known;
+    if (pattern->shared_id == 0 && worth_remembering(*pattern)) pattern->shared_id = next_id++;
+    return pattern;
   }
   CompiledPattern compiled = compile_pattern(d, context);
   patterns.push_back(std::move(compiled));
-  return known_patterns[signature] = &patterns.back();
+  known_patterns.emplace(hash, KnownPattern{&d, &patterns.back()});
+  return &patterns.back();
+}
+
+const CompiledPattern* Compiler::Impl::pattern_with_frame(const scene::Pattern& d) {
+  CompiledPattern* const known = known_pattern(d);
+  if (known->frame.empty()) known->frame = frame_of(d);
+  return known;
 }
 
 const CompiledPigment* Compiler::Impl::pigment(const scene::PigmentPtr& d) {
@@ -112,7 +133,7 @@ const CompiledPigment* Compiler::Impl::density(const scene::DensityPtr& d) {
 }
 
 const CompiledNormal* Compiler::Impl::normal(const scene::NormalPtr& d, bool no_bump_scale) {
-  return normals.get(d, no_bump_scale, [&] { return normals.add(make_normal(*d, no_bump_scale)); });
+  return normals.get(d, no_bump_scale, [&] { return share(make_normal(*d, no_bump_scale)); });
 }
 
 const CompiledTexture* Compiler::Impl::texture(const scene::TexturePtr& d, bool no_bump_scale) {
@@ -135,20 +156,31 @@ const CompiledTexture* Compiler::Impl::share(CompiledTexture c) {
   return known;
 }
 
+const CompiledNormal* Compiler::Impl::share(CompiledNormal c) {
+  if (!c.children.empty() || !c.slopes.empty()) return normals.add(std::move(c));
+  const CompiledNormal*& known = plain_normals[PlainNormal(c)];
+  if (!known) known = normals.add(std::move(c));
+  return known;
+}
+
+const ColorTable& Compiler::Impl::color_table(const scene::ColorMap& map) {
+  static_assert(sizeof map[0] == sizeof(float) + sizeof(Color));  // no bytes between
+  std::string bytes(reinterpret_cast<const char*>(map.data()), map.size() * sizeof map[0]);
+  if (const auto known = color_tables.find(bytes); known != color_tables.end()) return known->second;
+  std::vector<Color> colors;
+  for (const auto& entry : map) colors.push_back(entry.value);
+  return color_tables.emplace(std::move(bytes), ColorTable(MapPositions(map), std::move(colors))).first->second;
+}
+
 void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, const scene::ColorMap& map) {
+  const ColorTable& table = color_table(map);
   c.source = CompiledPigment::Source::color_map;
   c.pattern = pattern(d);
-  c.positions = MapPositions(map);
-  for (const auto& entry : map) {
-    c.colors.push_back(entry.value);
-    c.transparent |= lets_light_through(entry.value);
-  }
-  if (std::all_of(c.colors.begin(), c.colors.end(), [&](const Color& color) { return color == c.colors[0]; })) {
-    c.source = CompiledPigment::Source::plain;
-    c.color = c.colors[0];
-    return;
-  }
-  find_segments(c);
+  c.table = &table;
+  c.transparent = table.transparent();
+  if (!table.same_everywhere()) return;
+  c.source = CompiledPigment::Source::plain;
+  c.color = table.colors[0];
 }
 
 template <class Entries, class CompileChild>
@@ -172,9 +204,10 @@ void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, c
   c.source = d.kind == scene::PatternKind::average ? average : pigment_map;
   if (c.source == pigment_map && all_plain) {  // the same blend without visiting children
     c.source = color_map;
-    for (const CompiledPigment* child : c.children) c.colors.push_back(child->color);
-    c.children.clear();
-    find_segments(c);
+    scene::ColorMap map;
+    for (std::size_t i = 0; i < c.children.size(); ++i) map.push_back({entries[i].position, c.children[i]->color});
+    c.table = &color_table(map);
+    c.children = {}, c.positions = {};
   }
 }
 
@@ -240,10 +273,10 @@ CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_
     }
     c.method =
         d.pattern.kind == scene::PatternKind::average ? CompiledNormal::Method::average : CompiledNormal::Method::map;
-    c.pattern = pattern(d.pattern);
+    c.pattern = pattern_with_frame(d.pattern);
     return c;
   }
-  c.pattern = pattern(d.pattern);
+  c.pattern = pattern_with_frame(d.pattern);
   switch (d.pattern.kind) {
     case bumps:
     case dents:
@@ -280,7 +313,7 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   c.uv_mapping = d.pattern.kind == scene::PatternKind::uv_mapping;
   c.average = d.pattern.kind == scene::PatternKind::average;
   c.material_map = d.pattern.kind == scene::PatternKind::image_map;
-  c.pattern = pattern(d.pattern);
+  c.pattern = pattern_with_frame(d.pattern);
   c.opaque = true;  // POV-Ray never flags these, but their filter is zero all the same
   for (const auto& entry : *d.texture_map) {
     c.map.push_back({entry.position, texture(entry.value, no_bump_scale)});

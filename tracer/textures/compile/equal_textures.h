@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "tracer/textures/normals/normal.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::textures {
@@ -29,6 +30,20 @@ struct SingleLayer {
            (a.finish == b.finish || *a.finish == *b.finish);
   }
 };
+// A normal without maps.
+struct PlainNormal {
+  const CompiledPattern* pattern;
+  double amount, accuracy;
+  CompiledNormal::Method method;
+  bool no_bump_scale;
+  explicit PlainNormal(const CompiledNormal& c)
+      : pattern(c.pattern),
+        amount(c.amount),
+        accuracy(c.accuracy),
+        method(c.method),
+        no_bump_scale(c.no_bump_scale) {}
+  friend bool operator==(const PlainNormal&, const PlainNormal&) = default;
+};
 struct EqualTexturesHash {
   template <class T>
   static std::size_t mix(std::size_t seed, const T& value) {
@@ -37,6 +52,10 @@ struct EqualTexturesHash {
   std::size_t operator()(const SolidColor& color) const {
     std::size_t seed = 0;
     for (const std::uint32_t bits : color.bits) seed = mix(seed, bits);
+    return seed ^ seed >> 32;
+  }
+  std::size_t operator()(const PlainNormal& normal) const {
+    const std::size_t seed = mix(mix(normal.no_bump_scale, normal.pattern), normal.amount);
     return seed ^ seed >> 32;
   }
   std::size_t operator()(const SingleLayer& layer) const {

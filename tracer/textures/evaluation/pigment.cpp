@@ -1,6 +1,7 @@
 #include "tracer/textures/evaluation/pigment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -10,38 +11,51 @@ namespace verisim::textures {
 namespace {
 
 // The last of the positions that rise from the first one and have its colour, if it is below all that follow.
-double end_of_first_color(const CompiledPigment& c) {
+double end_of_first_color(const ColorTable& c) {
   double end = 0;
   for (std::size_t i = 0; i + 1 < c.colors.size() && c.colors[i] == c.colors[0] && c.positions.position(i) >= end; ++i)
     end = c.positions.position(i);
   return end < c.positions.position(c.colors.size() - 1) ? end : 0;
 }
 
+// From the entry before to entry i.
+ColorSegment segment(const ColorTable& c, std::size_t i) {
+  ColorSegment s;
+  const float position = c.positions.position(i);
+  s.position = position;
+  if (i == 0) return s;
+  const float low = c.positions.position(i - 1), width = position - low;
+  s.low = low;
+  s.width = width;
+  const Color lower = c.colors[i - 1], rise = c.colors[i] - lower;
+  std::memcpy(s.lower, &lower, sizeof lower);
+  std::memcpy(s.rise, &rise, sizeof rise);
+  s.constant = rise == Color(0, 0, 0);
+  return s;
+}
+
 }  // namespace
 
-void find_segments(CompiledPigment& c) {
-  c.flat = end_of_first_color(c);
-  if (c.colors.size() > CompiledPigment::kFew + 1) return;
-  c.segments.assign(c.colors.size(), {});
-  c.first_maxima = std::make_unique<CompiledPigment::Maxima>();
-  std::fill(std::begin(c.first_maxima->of), std::end(c.first_maxima->of), std::numeric_limits<double>::infinity());
+ColorTable::ColorTable(MapPositions p, std::vector<Color> c) : positions(std::move(p)), colors(std::move(c)) {
+  flat = end_of_first_color(*this);
+  if (colors.size() > kFew + 1) return;
+  segments.reserve(colors.size());
+  first_maxima = std::make_unique<Maxima>();
+  std::fill(std::begin(first_maxima->of), std::end(first_maxima->of), std::numeric_limits<double>::infinity());
   double maximum = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < c.colors.size(); ++i) {
-    ColorSegment& s = c.segments[i];
-    const float position = c.positions.position(i);
-    s.position = position;
-    maximum = i == 0 ? position : std::max<double>(maximum, position);
-    if (i + 1 < c.colors.size()) c.first_maxima->of[i] = maximum;
-    if (i == 0) continue;
-    const float low = c.positions.position(i - 1), width = position - low;
-    s.low = low;
-    s.width = width;
-    const Color lower = c.colors[i - 1], rise = c.colors[i] - lower;
-    std::memcpy(s.lower, &lower, sizeof lower);
-    std::memcpy(s.rise, &rise, sizeof rise);
-    s.constant = rise == Color(0, 0, 0);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    segments.push_back(segment(*this, i));
+    maximum = i == 0 ? segments[0].position : std::max(maximum, segments[i].position);
+    if (i + 1 < colors.size()) first_maxima->of[i] = maximum;
   }
 }
+
+bool ColorTable::same_everywhere() const {
+  return std::all_of(colors.begin(), colors.end(), [this](const Color& color) { return color == colors[0]; });
+}
+bool ColorTable::transparent() const { return std::any_of(colors.begin(), colors.end(), lets_light_through); }
+
+bool lets_light_through(const Color& c) { return std::fabs(c.f) > kEpsilon || std::fabs(c.t) > kEpsilon; }
 
 bool image_color(const CompiledPigment& c, const Vec3& p, Color& color) {
   const ImageLookup& lookup = c.pattern->as<ImageLookup>();

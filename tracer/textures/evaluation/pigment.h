@@ -16,28 +16,39 @@ struct ColorSegment {
   bool constant = false;                    // it rises nowhere
 };
 
-struct CompiledPigment {
-  enum class Source : std::uint8_t { plain, color_map, pigment_map, average, uv_mapping, image };
-  Source source = Source::plain;
-  Color color;                               // plain
-  const CompiledPattern* pattern = nullptr;  // all but plain
-  MapPositions positions;                    // of the maps; the weights of average
-  std::vector<Color> colors;                 // color_map
-  std::vector<ColorSegment> segments;        // color_map of few entries: from the entry before to this one
-  static constexpr int kFew = 32;            // one more than these are few
+// A colour map, ready for look-up. Pigments that differ in where their patterns lie share one.
+struct ColorTable {
+  static constexpr int kFew = 32;  // one more entry than these are few
   struct alignas(64) Maxima {
     double of[kFew];
   };
+
+  ColorTable(MapPositions positions, std::vector<Color> colors);  // one for each position, at least one
+
+  bool same_everywhere() const;
+  bool transparent() const;  // some entry filters or transmits
+
+  MapPositions positions;
+  std::vector<Color> colors;
+  std::vector<ColorSegment> segments;    // of few entries: from the entry before to this one
   std::unique_ptr<Maxima> first_maxima;  // with segments: the largest position up to each entry but the last; infinite
                                          // beyond
-  double flat = 0;                       // color_map: for values from 0 up to here the colour is the same
-  std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
-  float total_weight = 0;                        // average
-  bool transparent = false;  // some entry filters or transmits, or may have no colour (spec 05 11.4)
+  double flat = 0;                       // for values from 0 up to here the colour is the same
 };
 
-// Fills `segments` and `first_maxima` of a map with few entries, and `flat`, from `positions` and `colors`.
-void find_segments(CompiledPigment& pigment);
+struct CompiledPigment {
+  enum class Source : std::uint8_t { plain, color_map, pigment_map, average, uv_mapping, image };
+  Source source = Source::plain;
+  bool transparent = false;  // some entry filters or transmits, or may have no colour (spec 05 11.4)
+  Color color;               // plain
+  const CompiledPattern* pattern = nullptr;      // all but plain
+  const ColorTable* table = nullptr;             // color_map
+  MapPositions positions;                        // pigment_map; the weights of average
+  std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
+  float total_weight = 0;                        // average
+};
+
+bool lets_light_through(const Color& color);  // it filters or transmits
 // The colour of an image_map at a warped point; false: outside.
 bool image_color(const CompiledPigment& pigment, const Vec3& warped_point, Color& color);
 

@@ -70,11 +70,12 @@ struct CompiledPattern {
   int noise_generator = 2;
   double frequency = 1, phase = 0, exponent = 1;
   bool plain_wave = false;  // ramp wave, frequency 1, phase 0: values in [0, 1] stay what they are
-  TurbulenceStep turbulence{
-      {0, 0, 0}, Octaves(6, 2, 0.5)};  // the classic record, as the formulas of agate, marble, wood and spirals use it
-  bool turbulent = false;              // it was written
+  bool turbulent = false;   // turbulence was written
+  // The classic record, as the formulas of agate, marble, wood and spirals use it.
+  const TurbulenceStep* turbulence = &no_turbulence();
   WarpChain chain;
-  std::vector<Transform> frame;  // the transformations alone, in order of evaluation: what happens to normals
+  // The transformations alone, in order of evaluation: what happens to normals. Where one asks for it.
+  std::vector<Transform> frame;
   PatternData data;
   // Not 0: several pigments or textures use this pattern, and its last value at a point is worth remembering. Unique in
   // the program.

@@ -11,7 +11,7 @@ double sine_cycle(double v) { return std::sin(2 * std::numbers::pi * v); }
 namespace {
 
 double turbulence_of(const CompiledPattern& c, const Vec3& p) {
-  return turbulence(p, c.turbulence.octaves, c.noise_generator);
+  return turbulence(p, c.turbulence->octaves, c.noise_generator);
 }
 
 // z + r + arms * (angle about z) / 2 pi + turbulence.
@@ -23,7 +23,7 @@ double spiral_phase(const CompiledPattern& c, const Vec3& p, double r) {
   }
   const double arms = static_cast<std::int16_t>(c.as<scene::SpiralParams>().arms);
   const double v = p.z + r + arms * angle / (2 * std::numbers::pi);
-  const double amount = c.turbulence.amount.x;
+  const double amount = c.turbulence->amount.x;
   return amount == 0 ? v : v + amount * turbulence_of(c, p);
 }
 

@@ -103,7 +103,6 @@ parser::ParseOptions parse_options(const Options& options, const std::filesystem
 
 parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
   parser::ParseOptions result = parse_options(job.options, job.scene.path, job.animation, frame);
-  result.tune_heap = true;
   result.debug = [&console = job.console](const std::string& text) { console.debug(text); };
   result.message = [&console = job.console](const parser::Diagnostic& d) { console.diagnostic(d); };
   result.cancelled = [&interrupt = job.interrupt, &console = job.console] {

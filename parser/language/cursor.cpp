@@ -103,7 +103,6 @@ void Parser::Impl::leave_frame() {
 void Parser::Impl::check_limits() {
   next_check = steps + (1 << 16);
   next_look = coarse_milliseconds() + 100;
-  heap.look();
   const Limits& limits = options.limits;
   if (limits.max_steps && steps > limits.max_steps)
     fatal(Code::size_limit, "The scene executes more steps than --max-steps allows: an endless loop?");

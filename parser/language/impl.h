@@ -14,10 +14,10 @@
 #include "parser/language/parser.h"
 #include "parser/language/symbols.h"
 #include "parser/lexer/lexer.h"
-#include "parser/source/huge_heap.h"
 #include "parser/source/search.h"
 #include "tracer/base/coarse_clock.h"
 #include "tracer/functions/evaluation_budget.h"
+#include "tracer/textures/compile/texture_pool.h"
 #include "tracer/textures/evaluation/missing_surface.h"
 #include "tracer/query.h"
 
@@ -387,7 +387,6 @@ struct Parser::Impl {
   std::unordered_map<std::string, std::filesystem::path> include_locations;
   std::set<std::string> files_seen;
   std::size_t tokens_total = 0;
-  HugeHeap heap{options.tune_heap};
   std::uint64_t steps = 0, next_check = 1 << 16;
   std::int64_t next_look = 0;  // by coarse_milliseconds()
   int depth = 0;
@@ -412,6 +411,7 @@ struct Parser::Impl {
 
   scene::Scene scene;
   scene::TexturePtr default_texture;
+  textures::TexturePool texture_pool;
   scene::Camera default_camera;
   std::array<Value, 16> handed_out;  // values handed out by take_value, in turn
   std::size_t next_handed_out = 0;

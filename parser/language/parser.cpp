@@ -216,6 +216,7 @@ Parser::~Parser() = default;
 const ParseOptions& Parser::options() const { return impl_->options; }
 scene::Scene& Parser::scene() { return impl_->scene; }
 scene::TexturePtr& Parser::default_texture() { return impl_->default_texture; }
+textures::TexturePool& Parser::texture_pool() { return impl_->texture_pool; }
 scene::Camera& Parser::default_camera() { return impl_->default_camera; }
 
 Parser::Depth::Depth(Parser& p) : parser(p) {

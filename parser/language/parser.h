@@ -12,6 +12,10 @@
 #include "parser/lexer/token.h"
 #include "parser/source/options.h"
 
+namespace verisim::textures {
+class TexturePool;
+}
+
 namespace verisim::parser {
 
 // Thrown by error(); caught where parsing can go on (recovery.cpp), or by parse_file.
@@ -93,6 +97,7 @@ class Parser {
   const ParseOptions& options() const;
   scene::Scene& scene();  // under construction
   scene::TexturePtr& default_texture();
+  textures::TexturePool& texture_pool();
   scene::Camera& default_camera();
   // global_settings { charset }: how bytes >= 0x80 of later strings are read (spec 01 section 1.1).
   enum class Charset : unsigned char { ascii, utf8, sys };

@@ -4,6 +4,7 @@
 #include "parser/scene/objects.h"
 #include "parser/scene/textures/texture.h"
 #include "parser/scene/common/transform.h"
+#include "tracer/textures/compile/texture_pool.h"
 
 namespace verisim::parser {
 
@@ -229,6 +230,7 @@ void parse_object_modifiers(Parser& parser, Object& object) {
   close_block(parser);
   if (object.interior_texture && !object.texture && !has_own_textures(object))
     parser.error(Code::missing_item, "Interior texture requires an exterior texture.");
+  object.texture = parser.texture_pool().one(std::move(object.texture));
   scene::finish_modifiers(object);
 }
 

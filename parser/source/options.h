@@ -66,8 +66,6 @@ struct ParseOptions {
   std::filesystem::path scratch;
   Recorder* recorder = nullptr;
   Origins* origins = nullptr;  // filled in, for those who explain pictures (parser/source/origins.h)
-  // The parser may tune the C library's allocator for large scenes (mallopt): for a program that does nothing else.
-  bool tune_heap = false;
 };
 
 struct ParseResult {

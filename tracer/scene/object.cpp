@@ -345,10 +345,20 @@ void TransformSteps::add_to(Rare<Transform>& total, std::size_t first) const {
 
 TexturePtr TransformSteps::moved(const TexturePtr& texture) const {
   if (!texture) return texture;
-  for (const auto& [before, after] : textures_)
-    if (before == texture) return after;
+  for (const Moved& known : few_textures_)
+    if (known.before == texture) return known.after;
+  constexpr std::size_t kMany = 256;
+  const std::size_t place = (reinterpret_cast<std::uintptr_t>(texture.get()) >> 4) * 0x9e3779b97f4a7c15u >> 56;
+  static_assert(std::size_t{1} << 8 == kMany);
+  if (!many_textures_.empty() && many_textures_[place].before == texture) return many_textures_[place].after;
   TexturePtr after = transformed(texture, transforms().span());
-  if (after != texture) textures_[next_texture_++ % textures_.size()] = {texture, after};
+  if (after == texture) return after;
+  if (next_texture_ < few_textures_.size()) {
+    few_textures_[next_texture_++] = {texture, after};
+  } else {
+    many_textures_.resize(kMany);
+    many_textures_[place] = {texture, after};
+  }
   return after;
 }
 

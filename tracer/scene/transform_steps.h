@@ -64,9 +64,13 @@ class TransformSteps {
   mutable std::array<Rare<Transform>, kMax> alone_;
   mutable Rare<Transform> before_, after_;
   mutable std::size_t after_first_ = 0;
-  // Textures that were moved last, and what became of them.
-  mutable std::array<std::pair<TexturePtr, TexturePtr>, 4> textures_;
-  mutable unsigned next_texture_ = 0;
+  // Textures that were moved last, and what became of them: a few, and where there are more, many.
+  struct Moved {
+    TexturePtr before, after;
+  };
+  mutable std::array<Moved, 4> few_textures_;
+  mutable std::size_t next_texture_ = 0;
+  mutable std::vector<Moved> many_textures_;  // each in the place that its address names
 };
 
 // As POV-Ray does: absorbed into the shape's numbers where it can, else into the matrix; also moves clips, bounds,

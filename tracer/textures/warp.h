@@ -25,8 +25,7 @@ using BlackHoleStep = scene::BlackHoleWarp;
 using ProjectionStep = scene::ProjectionWarp;  // orientation normalised
 using CubicStep = scene::CubicWarp;
 // Turbulence is a pointer: it is large, and copies of an object have the same.
-using WarpStep =
-    std::variant<AffineStep, const TurbulenceStep*, RepeatStep, BlackHoleStep, ProjectionStep, CubicStep>;
+using WarpStep = std::variant<AffineStep, const TurbulenceStep*, RepeatStep, BlackHoleStep, ProjectionStep, CubicStep>;
 // Most chains are one transformation or none; that is applied without a look at the rest.
 struct WarpChain {
   bool transforms = false;

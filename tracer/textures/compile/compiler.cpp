@@ -91,8 +91,7 @@ struct Compiler::Impl {
 };
 
 CompiledPattern* Compiler::Impl::known_pattern(const scene::Pattern& d) {
-  const PatternContext context{settings,
-                               [this](const scene::PigmentPtr& p) { return pigment(p); },
+  const PatternContext context{settings, [this](const scene::PigmentPtr& p) { return pigment(p); },
                                [this] {
                                  if (!sources) sources = wave_sources(settings.number_of_waves);
                                  return sources;

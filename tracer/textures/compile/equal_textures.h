@@ -37,11 +37,7 @@ struct PlainNormal {
   CompiledNormal::Method method;
   bool no_bump_scale;
   explicit PlainNormal(const CompiledNormal& c)
-      : pattern(c.pattern),
-        amount(c.amount),
-        accuracy(c.accuracy),
-        method(c.method),
-        no_bump_scale(c.no_bump_scale) {}
+      : pattern(c.pattern), amount(c.amount), accuracy(c.accuracy), method(c.method), no_bump_scale(c.no_bump_scale) {}
   friend bool operator==(const PlainNormal&, const PlainNormal&) = default;
 };
 struct EqualTexturesHash {

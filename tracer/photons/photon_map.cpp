@@ -19,7 +19,8 @@ Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.positio
 }  // namespace
 
 void PhotonMap::build() {
-  sort_photons(index_.photons);
+  index_.photons.shrink_to_fit();
+  sort_photons({index_.photons.data(), index_.photons.size()});
   build_sorted();
 }
 
@@ -118,7 +119,7 @@ void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
   if (!file.read(reinterpret_cast<char*>(&count), sizeof count)) return;  // an absent second map is an empty one
   if (count < 0 || static_cast<std::uintmax_t>(count) * kRecord > bytes_left)
     throw std::runtime_error("photon file is truncated or corrupt");
-  map.photons().reserve(static_cast<std::size_t>(count));
+  map.reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i) {
     std::array<char, kRecord> record;
     if (!file.read(record.data(), record.size())) throw std::runtime_error("photon file is truncated");

@@ -13,13 +13,11 @@ namespace verisim::global {
 class PhotonMap {
  public:
   void add(const Photon& photon) { index_.photons.push_back(photon); }
-  void append(const PhotonMap& other) {
-    index_.photons.insert(index_.photons.end(), other.photons().begin(), other.photons().end());
-  }
+  void append(const PhotonMap& other) { index_.photons.append(other.photons()); }
   std::size_t size() const { return index_.photons.size(); }
   bool empty() const { return index_.photons.empty(); }
-  const std::vector<Photon>& photons() const { return index_.photons; }
-  std::vector<Photon>& photons() { return index_.photons; }
+  std::span<const Photon> photons() const { return index_.photons; }
+  void reserve(std::size_t count) { index_.photons.reserve(count); }
 
   // Sorts the photons into a balanced tree (node of [a,b] at (a+b)/2). Call once, before any search.
   void build();

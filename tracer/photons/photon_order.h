@@ -19,7 +19,7 @@
 namespace verisim::global {
 
 // The node of a range [a, b] at (a + b) / 2, with its axis.
-void sort_photons(std::vector<Photon>& photons);
+void sort_photons(std::span<Photon> photons);
 
 // The planes on whose wrong side photons lie.
 class WrongPlanes {

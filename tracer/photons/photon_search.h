@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tracer/base/realloc_vector.h"
 #include "tracer/photons/photon.h"
 #include "tracer/photons/photon_kernels.h"
 #include "tracer/photons/photon_order.h"
@@ -13,7 +14,7 @@ namespace verisim::global {
 
 // Photons in the order of their map, and what finds them.
 struct PhotonIndex {
-  std::vector<Photon> photons;
+  ReallocVector<Photon> photons;
   WrongPlanes planes;
   PhotonTree tree;
 

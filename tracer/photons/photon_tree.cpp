@@ -27,6 +27,9 @@ void PhotonTree::build(std::span<const Photon> sorted) {
   int levels = 0;
   while ((count >> levels) + 1 > kLeaf) ++levels;
   height_ = levels > 0 ? (levels - 1) / kLevelsOfNode : 0;
+  const std::size_t leaves = std::size_t{1} << levels, lowest = leaves / kParts + 1;
+  leaves_.reserve(leaves), firsts_.reserve(leaves);
+  nodes_.reserve(lowest + lowest / kParts * 2 + 2);
   add_node(sorted, {0, count, 0}, height_, levels - height_ * kLevelsOfNode);
 }
 

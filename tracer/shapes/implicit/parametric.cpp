@@ -1,9 +1,13 @@
 // parametric (spec 04 section 7): the ranges of u and v are halved, cells whose box the ray misses are dropped. The
 // boxes do not depend on the ray; each thread remembers those it has computed, so that neighbouring rays evaluate few
 // functions.
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "tracer/functions/function.h"
 #include "tracer/shapes/implicit/container.h"
@@ -23,6 +27,7 @@ struct Interval {
 };
 struct Cell {
   double u0, u1, v0, v1;
+  Vec2 corner(int k) const { return {k < 2 ? u0 : u1, k % 2 == 0 ? v0 : v1}; }
 };
 using CellBox = std::array<Interval, 3>;
 
@@ -39,6 +44,36 @@ BoxCache& box_cache() {
   thread_local BoxCache cache;
   return cache;
 }
+
+// The corners of neighbouring cells, each once: functions are evaluated there for all cells together.
+class Corners {
+ public:
+  static constexpr std::size_t kMostCells = 64, kMost = 4 * kMostCells;
+
+  std::size_t count() const { return count_; }
+  // For Function::evaluate_batch, with a stride of kMost.
+  const double* arguments() const { return arguments_.data(); }
+  // The number of a corner, which is added if it is new.
+  std::uint16_t number_of(const Vec2& at) {
+    const auto u = std::bit_cast<std::uint64_t>(at.x), v = std::bit_cast<std::uint64_t>(at.y);
+    for (std::size_t place = (u ^ std::rotl(v, 21)) * 0x9e3779b97f4a7c15u >> 55;; ++place) {
+      std::uint16_t& number = places_[place % places_.size()];
+      if (number == 0) {  // free
+        arguments_[count_] = at.x, arguments_[kMost + count_] = at.y;
+        return static_cast<std::uint16_t>((number = static_cast<std::uint16_t>(++count_)) - 1);
+      }
+      if (std::bit_cast<std::uint64_t>(arguments_[number - 1u]) == u &&
+          std::bit_cast<std::uint64_t>(arguments_[kMost + number - 1u]) == v)
+        return static_cast<std::uint16_t>(number - 1);
+    }
+  }
+  void clear() { count_ = 0, places_.fill(0); }
+
+ private:
+  std::array<double, 3 * kMost> arguments_{};  // the third is zero
+  std::array<std::uint16_t, 2 * kMost> places_{};
+  std::size_t count_ = 0;
+};
 
 class Parametric final : public Primitive<Parametric> {
  public:
@@ -94,15 +129,19 @@ class Parametric final : public Primitive<Parametric> {
     const double margin = std::max(0.0, (p_.max_gradient * distance - std::fabs(p - q)) / 2);
     return {std::min(p, q) - margin, std::max(p, q) + margin};
   }
-  Interval interval(int axis, const Cell& c) const {
-    const double us[4] = {c.u0, c.u0, c.u1, c.u1}, vs[4] = {c.v0, c.v1, c.v0, c.v1};
-    double arguments[12] = {}, f[4];
-    for (int k = 0; k < 4; ++k) arguments[k] = us[k], arguments[4 + k] = vs[k];
-    p_.function[static_cast<std::size_t>(axis)]->evaluate_batch(arguments, 4, 4, f);
+  // Of a cell by the values at its corners (0: low u, low v; 1: high v; 2: high u, low v; 3: both high).
+  Interval enclosure(const Cell& c, const std::array<double, 4>& f) const {
     // POV-Ray subtracts the accuracy from the value: the whole surface is displaced.
     const double a = p_.accuracy;
     const Interval left = between(f[0] - a, f[1] - a, c.v1 - c.v0), right = between(f[2] - a, f[3] - a, c.v1 - c.v0);
     return {between(left.low, right.low, c.u1 - c.u0).low, between(left.high, right.high, c.u1 - c.u0).high};
+  }
+  Interval interval(int axis, const Cell& c) const {
+    double arguments[12] = {};
+    for (int k = 0; k < 4; ++k) arguments[k] = c.corner(k).x, arguments[4 + k] = c.corner(k).y;
+    std::array<double, 4> f;
+    p_.function[static_cast<std::size_t>(axis)]->evaluate_batch(arguments, 4, 4, f.data());
+    return enclosure(c, f);
   }
 
   static bool split_v(const Cell& c) { return c.v1 - c.v0 > c.u1 - c.u0; }
@@ -135,20 +174,51 @@ class Parametric final : public Primitive<Parametric> {
   void precompute() {
     const int depth = std::min(p_.precompute_depth, kMaxTable);
     const std::uint64_t first_leaf = std::uint64_t{1} << (depth - 1);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!p_.precompute[static_cast<std::size_t>(axis)]) continue;
-      auto& table = table_[static_cast<std::size_t>(axis)];
-      table.resize(2 * first_leaf);
-      for (std::uint64_t n = first_leaf; n < 2 * first_leaf; ++n) {
-        Cell c = whole();
-        for (int bit = depth - 2; bit >= 0; --bit) c = half(c, n >> bit & 1);
-        table[n] = interval(axis, c);
-      }
-      for (std::uint64_t n = first_leaf - 1; n >= 1; --n) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (p_.precompute[axis]) table_[axis].resize(2 * first_leaf);
+    Leaves leaves;
+    add_leaves(whole(), 1, first_leaf, leaves);
+    tabulate(leaves);
+    for (auto& table : table_) {
+      for (std::uint64_t n = table.empty() ? 0 : first_leaf - 1; n >= 1; --n) {
         table[n] = {std::min(table[2 * n].low, table[2 * n + 1].low),
                     std::max(table[2 * n].high, table[2 * n + 1].high)};
       }
     }
+  }
+  // Leaves that wait for the values at their corners.
+  struct Leaves {
+    struct Leaf {
+      Cell cell;
+      std::uint64_t node;
+      std::array<std::uint16_t, 4> corners;
+    };
+    std::array<Leaf, Corners::kMostCells> leaf;
+    std::size_t count = 0;
+    Corners corners;
+  };
+  void add_leaves(const Cell& cell, std::uint64_t node, std::uint64_t first_leaf, Leaves& leaves) {
+    if (node < first_leaf) {
+      add_leaves(half(cell, false), 2 * node, first_leaf, leaves);
+      return add_leaves(half(cell, true), 2 * node + 1, first_leaf, leaves);
+    }
+    auto& leaf = leaves.leaf[leaves.count++];
+    leaf.cell = cell, leaf.node = node;
+    for (int k = 0; k < 4; ++k) leaf.corners[static_cast<std::size_t>(k)] = leaves.corners.number_of(cell.corner(k));
+    if (leaves.count == leaves.leaf.size()) tabulate(leaves);
+  }
+  void tabulate(Leaves& leaves) {
+    std::array<double, Corners::kMost> values;
+    for (std::size_t axis = 0; axis < 3 && leaves.count > 0; ++axis) {
+      if (table_[axis].empty()) continue;
+      p_.function[axis]->evaluate_batch(leaves.corners.arguments(), Corners::kMost, leaves.corners.count(),
+                                        values.data());
+      for (const auto& leaf : std::span(leaves.leaf).first(leaves.count)) {
+        const auto& at = leaf.corners;
+        table_[axis][leaf.node] = enclosure(leaf.cell, {values[at[0]], values[at[1]], values[at[2]], values[at[3]]});
+      }
+    }
+    leaves.corners.clear(), leaves.count = 0;
   }
   Cell whole() const { return {p_.low.x, p_.high.x, p_.low.y, p_.high.y}; }
 

@@ -22,10 +22,12 @@ bool equal(const scene::Pattern& a, const scene::Pattern& b) {
   return pattern_signature(a) == pattern_signature(b);
 }
 
+// Layers of old versions change the filter of a map for all that share it (spec 05 11.2): only maps without one may
+// become shared.
 bool equal(const std::shared_ptr<const scene::ColorMap>& a, const std::shared_ptr<const scene::ColorMap>& b) {
   if (a == b) return true;
   return a && b && std::ranges::equal(*a, *b, [](const auto& x, const auto& y) {
-           return x.position == y.position && equal(x.value, y.value);
+           return x.position == y.position && x.value.f == 0 && equal(x.value, y.value);
          });
 }
 

@@ -13,7 +13,7 @@ std::shared_ptr<scene::Texture> marble() {
   pigment.pattern.kind = scene::PatternKind::marble;
   pigment.pattern.prepend(Transform::translation({1, 2, 3}));
   pigment.color_map =
-      std::make_shared<scene::ColorMap>(scene::ColorMap{{0, Color(1, 0, 0)}, {1, Color(0, 0, 1, 0.5f, 0)}});
+      std::make_shared<scene::ColorMap>(scene::ColorMap{{0, Color(1, 0, 0)}, {1, Color(0, 0, 1, 0, 0.5f)}});
   scene::Normal normal;
   normal.pattern.kind = scene::PatternKind::bumps;
   auto texture = std::make_shared<scene::Texture>();
@@ -86,6 +86,18 @@ TEST(TexturePool, WhatLooksOtherwiseStaysItself) {
     EXPECT_NE(first, second) << &other - others;
     EXPECT_EQ(second, pool.one(other())) << &other - others;
   }
+}
+
+// Layers of old versions would change its filter for both.
+TEST(TexturePool, MapsWithFilterAreNotShared) {
+  const auto filtering = [] {
+    return with_pigment([](auto& p) {
+      p.color_map = std::make_shared<scene::ColorMap>(scene::ColorMap{{0, Color(1, 0, 0, 0.5f, 0)}});
+    });
+  };
+  TexturePool pool;
+  const scene::TexturePtr first = pool.one(filtering());
+  EXPECT_NE(pool.one(filtering()), first);
 }
 
 // What is declared is one already, and not looked at.

@@ -6,6 +6,7 @@
 // messages. Values of 2, 4 and 5 terms are left to that, because how they are widened depends on the context.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -106,7 +107,7 @@ class Scanner {
   static bool truth(double v) { return std::fabs(v) > kEps; }
 
   bool conditional(Term& out, int depth) {
-    if (!logical(out, depth)) return false;
+    if (!operations(out, kLogical, depth)) return false;
     if (at_->punctuation != '?') return true;
     if (depth >= kMaxDepth || out.terms != 1) return false;
     advance();
@@ -118,70 +119,86 @@ class Scanner {
     return true;
   }
 
-  bool logical(Term& out, int depth) {
-    if (!relation(out, depth)) return false;
-    for (;;) {
-      const char operation = at_->punctuation;
-      if (operation != '&' && operation != '|') return true;
-      advance();
-      Term right;
-      if (!relation(right, depth) || out.terms + right.terms != 2) return false;
-      const bool a = truth(out.v[0]), b = truth(right.v[0]);
-      out.v[0] = operation == '&' ? a && b : a || b;
-    }
+  // How tightly operators of two sides bind; 0: the character is none.
+  enum Precedence : std::uint8_t { kNone, kLogical, kRelation, kSum, kProduct };
+  static Precedence precedence(char operation) {
+    static constexpr auto kTable = [] {
+      std::array<Precedence, 256> table{};
+      for (const char c : {'&', '|'}) table[static_cast<unsigned char>(c)] = kLogical;
+      for (const char c : {'<', '>', '=', kLessEqual, kGreaterEqual, kNotEqual})
+        table[static_cast<unsigned char>(c)] = kRelation;
+      for (const char c : {'+', '-'}) table[static_cast<unsigned char>(c)] = kSum;
+      for (const char c : {'*', '/'}) table[static_cast<unsigned char>(c)] = kProduct;
+      return table;
+    }();
+    return kTable[static_cast<unsigned char>(operation)];
   }
 
-  bool relation(Term& out, int depth) {
-    if (!sum(out, depth)) return false;
+  // Operands with operators that bind at least as tightly as `loosest`, from left to right.
+  bool operations(Term& out, Precedence loosest, int depth) {
+    if (!operand(out, depth)) return false;
     for (;;) {
       const char operation = at_->punctuation;
-      if (operation != '<' && operation != '>' && operation != '=' && operation != kLessEqual &&
-          operation != kGreaterEqual && operation != kNotEqual)
-        return true;
+      const Precedence binds = precedence(operation);
+      if (binds < loosest) return true;
       if (at_->kind == TokenKind::vector) return false;
       advance();
       Term right;
-      if (!sum(right, depth) || out.terms + right.terms != 2) return false;
-      const double a = out.v[0], b = right.v[0];
-      const bool equal = !truth(a - b);
-      switch (operation) {
-        case '<':
-          out.v[0] = a < b;
-          break;
-        case '>':
-          out.v[0] = a > b;
-          break;
-        case '=':
-          out.v[0] = equal;
-          break;
-        case kLessEqual:
-          out.v[0] = a <= b || equal;
-          break;
-        case kGreaterEqual:
-          out.v[0] = a >= b || equal;
-          break;
-        default:
-          out.v[0] = !equal;
-      }
+      const bool read =
+          binds == kProduct ? operand(right, depth) : operations(right, static_cast<Precedence>(binds + 1), depth);
+      if (!read || !(out.terms + right.terms == 2 ? apply(operation, out.v[0], right.v[0])
+                                                  : binds >= kSum && apply_to_vectors(operation, out, right)))
+        return false;
     }
   }
+  bool sum(Term& out, int depth) { return operations(out, kSum, depth); }
 
-  bool sum(Term& out, int depth) {
-    if (!product(out, depth)) return false;
-    for (;;) {
-      const char operation = at_->punctuation;
-      if (operation != '+' && operation != '-') return true;
-      advance();
-      Term right;
-      if (!product(right, depth)) return false;
-      const bool plus = operation == '+';
-      if (out.terms + right.terms == 2) {
-        out.v[0] = plus ? out.v[0] + right.v[0] : out.v[0] - right.v[0];
-      } else {
-        out.widen(), right.widen();
-        for (int i = 0; i < 3; ++i) out.v[i] = plus ? out.v[i] + right.v[i] : out.v[i] - right.v[i];
-      }
+  // False: not by zero.
+  static bool apply(char operation, double& a, double b) {
+    switch (operation) {
+      case '+':
+        a += b;
+        return true;
+      case '-':
+        a -= b;
+        return true;
+      case '*':
+        a *= b;
+        return true;
+      case '/':
+        if (b == 0) return false;
+        a /= b;
+        return true;
+      case '<':
+        a = a < b;
+        return true;
+      case '>':
+        a = a > b;
+        return true;
+      case '=':
+        a = !truth(a - b);
+        return true;
+      case kLessEqual:
+        a = a <= b || !truth(a - b);
+        return true;
+      case kGreaterEqual:
+        a = a >= b || !truth(a - b);
+        return true;
+      case kNotEqual:
+        a = truth(a - b);
+        return true;
+      case '&':
+        a = truth(a) && truth(b);
+        return true;
+      default:
+        a = truth(a) || truth(b);
+        return true;
     }
+  }
+  static bool apply_to_vectors(char operation, Term& out, Term& right) {
+    out.widen(), right.widen();
+    return apply(operation, out.v[0], right.v[0]) && apply(operation, out.v[1], right.v[1]) &&
+           apply(operation, out.v[2], right.v[2]);
   }
 
   bool scalar(double& out, int depth) {
@@ -189,28 +206,6 @@ class Scanner {
     if (!sum(term, depth) || term.terms != 1) return false;
     out = term.v[0];
     return true;
-  }
-
-  bool product(Term& out, int depth) {
-    if (!operand(out, depth)) return false;
-    for (;;) {
-      const char operation = at_->punctuation;
-      if (operation != '*' && operation != '/') return true;
-      advance();
-      Term right;
-      if (!operand(right, depth)) return false;
-      const bool times = operation == '*';
-      if (out.terms + right.terms == 2) {
-        if (!times && right.v[0] == 0) return false;
-        out.v[0] = times ? out.v[0] * right.v[0] : out.v[0] / right.v[0];
-      } else {
-        out.widen(), right.widen();
-        for (int i = 0; i < 3; ++i) {
-          if (!times && right.v[i] == 0) return false;
-          out.v[i] = times ? out.v[i] * right.v[i] : out.v[i] / right.v[i];
-        }
-      }
-    }
   }
 
   // Numbers and floats at once; everything else is a factor.

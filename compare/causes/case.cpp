@@ -152,6 +152,13 @@ Mask dilated(const Case& c, const Mask& mask, int radius) {
   return out;
 }
 
+double part_of_right(const Case& c, const Mask& mask) {
+  std::size_t with = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) with += mask[i] && !c.wrong[i];
+  const std::size_t right = c.size() - c.wrong_count;
+  return right > 0 ? static_cast<double>(with) / static_cast<double>(right) : 0;
+}
+
 double share_of(const Case& c, const Mask& mask) {
   double sum = 0;
   for (std::size_t i = 0; i < c.size(); ++i) sum += mask[i] ? c.squared[i] : 0;

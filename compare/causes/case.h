@@ -77,6 +77,7 @@ inline float squared_distance(const Pixel& a, const Pixel& b) {
   return r * r + g * g + c * c;
 }
 Mask dilated(const Case& c, const Mask& mask, int radius);
-double share_of(const Case& c, const Mask& mask);  // of the squared difference
+double share_of(const Case& c, const Mask& mask);       // of the squared difference
+double part_of_right(const Case& c, const Mask& mask);  // how many of the pixels that are not wrong
 
 }  // namespace verisim::compare

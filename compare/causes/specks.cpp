@@ -74,8 +74,20 @@ void few_pixels(const Case& c, Suspicions& out) {
   out.push_back(std::move(s));
 }
 
+// Where the renderer knows of several surfaces in one place, and mostly there, pixels are wrong.
+void known_coincidences(const Case& c, Suspicions& out) {
+  if (!c.tags.any()) return;
+  for (const PixelTags::Tag& tag : c.tags.any()->tags) {
+    if (tag.kind != "coincidence") continue;
+    const Mask mask = c.pixels_with(*c.tags.any(), [&](const PixelTags::Tag& other) { return &other == &tag; });
+    Suspicion s = c.placed("coincident surfaces", tag.name + " are in the same place", mask, 1);
+    s.sure = weight::kKnown * s.explained * (1 - part_of_right(c, mask));
+    out.push_back(std::move(s));
+  }
+}
+
 // Two objects in each other's place, pixel by pixel: which of two surfaces in one place is seen is chance.
-void coincident_surfaces(const Case& c, Suspicions& out) {
+void exchanged_surfaces(const Case& c, Suspicions& out) {
   if (!c.tags.both()) return;
   const auto object_of = [](const PixelTags& tags, int set) {
     if (set >= 0)
@@ -109,7 +121,8 @@ void coincident_surfaces(const Case& c, Suspicions& out) {
 }  // namespace
 
 void suspect_specks(const Case& c, Suspicions& out) {
-  not_numbers(c, out), lone_pixels(c, out), edges(c, out), few_pixels(c, out), coincident_surfaces(c, out);
+  not_numbers(c, out), lone_pixels(c, out), edges(c, out), few_pixels(c, out);
+  known_coincidences(c, out), exchanged_surfaces(c, out);
 }
 
 }  // namespace verisim::compare

@@ -1,7 +1,6 @@
 #include "compare/causes/diagnose.h"
 
-#include <array>
-#include <set>
+#include <map>
 
 #include "compare/causes/families.h"
 
@@ -28,20 +27,6 @@ void leave_to_objects(Suspicions& all) {
       if (is_one_of(kFollow, s)) s.sure *= kUnlikely;
 }
 
-// Whether the wrong pixels had hardly more than one colour and have hardly more than one: any formula fits those.
-bool of_few_colors(const Case& c) {
-  constexpr std::size_t kFew = 4;
-  std::set<std::array<int, 6>> pairs;
-  for (std::size_t i = 0; i < c.size() && pairs.size() < kFew; ++i) {
-    if (!c.wrong[i]) continue;
-    std::array<int, 6> pair{};
-    for (std::size_t k = 0; k < 3; ++k)
-      pair[k] = static_cast<int>(c.reference[i][k] + 0.5f), pair[k + 3] = static_cast<int>(c.test[i][k] + 0.5f);
-    pairs.insert(pair);
-  }
-  return pairs.size() < kFew;
-}
-
 }  // namespace
 
 std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test, const PixelTags* reference_tags,
@@ -49,10 +34,7 @@ std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test, c
   const Case c(reference, test, {reference_tags, test_tags});
   Suspicions all;
   if (!(c.total > 0) || c.wrong_count == 0) return all;
-  for (const auto family : {suspect_tone, suspect_filtering, suspect_regions}) family(c, all);
-  if (c.tags.any() && of_few_colors(c))
-    for (Suspicion& s : all) s.sure *= kUnlikely;
-  suspect_specks(c, all);
+  for (const auto family : {suspect_tone, suspect_filtering, suspect_regions, suspect_specks}) family(c, all);
   // What happens to finished pictures is no suspect where the programs tell the difference before.
   if (told_by_terms(c).value_or(0) > kTold)
     for (Suspicion& s : all) s.sure *= kUnlikely;

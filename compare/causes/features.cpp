@@ -47,7 +47,7 @@ void suspect_features(const Case& c, Suspicions& out) {
     const char* what = suspect_of(tag);
     if (!what) continue;
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
-    const double strength = std::max(correlation(c, mask), 0.8 * excess(c, mask));
+    const double strength = std::max(correlation(c, mask), excess(c, mask));
     if (strength < 0.3) continue;
     Suspicion s = c.placed(what, tag.name, mask, 1);
     s.sure = 0.65 * strength * std::sqrt(s.explained);

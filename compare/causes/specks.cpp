@@ -28,7 +28,9 @@ void lone_pixels(const Case& c, Suspicions& out) {
   const char* what = white > 0.8 * static_cast<double>(count)   ? "white"
                      : black > 0.8 * static_cast<double>(count) ? "black"
                                                                 : "wrong";
-  Suspicion s = c.placed("specks", fmt::format("{} lone {} pixels", count, what), lone, weight::kPlace);
+  constexpr std::size_t kMany = 8;  // of fewer it is no pattern that they are alone
+  Suspicion s = c.placed("specks", fmt::format("{} lone {} pixels", count, what), lone,
+                         count >= kMany || !c.tags.any() ? weight::kPlace : weight::kVague);
   out.push_back(std::move(s));
 }
 

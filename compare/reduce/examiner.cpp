@@ -10,6 +10,7 @@
 #include "compare/oracle/povray.h"
 #include "compare/oracle/switches.h"
 #include "compare/oracle/working_copy.h"
+#include "compare/regression/renders.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;
@@ -199,6 +200,7 @@ NativeResult Examiner::native(const std::string& text, const Frame& frame, bool 
   request.replay = replay;
   request.library_paths = oracle_program_.library_paths;
   NativeResult out = native_(request);
+  out.message = short_names(out.message, copy, oracle_program_.library_paths);
   read_result(request, out, picture);
   return out;
 }

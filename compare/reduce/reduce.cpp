@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
+#include <mutex>
 #include <sstream>
 #include <thread>
 
@@ -139,8 +141,9 @@ class Reduce {
     options.judge = [this](const std::vector<std::string>& texts) {
       std::vector<unsigned char> same(texts.size());  // bits of a vector<bool> share bytes
       for_each(texts.size(), [&](std::size_t i) {
-        same[i] = same_difference(
-            target_, examiner_.examine(texts[i], out_.frame, out_.replay, candidate_limit(), &target_).difference);
+        const Difference d =
+            examiner_.examine(texts[i], out_.frame, out_.replay, candidate_limit(), &target_).difference;
+        same[i] = same_difference(target_, d) && d.pixels <= most_pixels_;
       });
       out_.tried += texts.size();
       tell();
@@ -154,6 +157,12 @@ class Reduce {
     options.better = [this](const std::string& best) {
       out_.lines = lines_of_code(best);
       tell();
+    };
+    options.before_rounding = [this](const std::string& best) {
+      const Difference now = examiner_.examine(best, out_.frame, out_.replay, candidate_limit(), &target_).difference;
+      if (!same_difference(target_, now)) return;
+      target_ = now;
+      most_pixels_ = 4 * now.pixels + 8;
     };
     constexpr double kRound = 3;  // seconds that judging a batch may take
     const double cores = std::max(1u, std::thread::hardware_concurrency());
@@ -184,8 +193,9 @@ class Reduce {
   const ReduceOptions& options_;
   Examiner examiner_;
   Reduction out_;
-  Difference target_;  // what a candidate must show in the frame
-  double cost_ = 0;    // CPU seconds of a candidate as large as the scene
+  Difference target_;                                                  // what a candidate must show in the frame
+  std::size_t most_pixels_ = std::numeric_limits<std::size_t>::max();  // of a candidate with rounder numbers
+  double cost_ = 0;  // CPU seconds of a candidate as large as the scene
   double reserve_ = 0;
   Clock::time_point begin_ = Clock::now();
 };

@@ -71,6 +71,21 @@ TEST_F(Reduce, ARefusalIsNotTakenForAnother) {
   EXPECT_EQ(r.text, "blob { }\n");  // which is named first; without it the polygon is
 }
 
+// Boxes at 0.3 differ in one pixel; rounded to 0 they would in all.
+TEST_F(Reduce, RounderNumbersDoNotShowAnotherDifference) {
+  Picture one = image::read_picture(pictures() / "plain.png");
+  one.samples[0] = one.samples[0] > 0.5f ? 0.2f : 0.8f;
+  image::write_picture(one, pictures() / "one.png");
+  script(root() / "pov",
+         "if [ \"$1\" = --version ]; then echo 'POV-Ray 3.7.test'; exit 0; fi\n"
+         "for a in \"$@\"; do case \"$a\" in +I*) in=\"${a#+I}\";; +O*) out=\"${a#+O}\";; esac; done\n"
+         "p=plain; grep -q 'box.*0\\.3' $in && p=one; grep -q 'box { 0' $in && p=bright; grep -q 'box { 0\\.3' $in && "
+         "p=one\n"
+         "cp " +
+             pictures().string() + "/$p.png $out\n");
+  EXPECT_EQ(reduced(kRest.substr(0, kRest.find("box")) + "box { 0.3125 }\n").text, "box { 0.3 }\n");
+}
+
 TEST_F(Reduce, Crashes) {
   EXPECT_EQ(reduced(kRest + "text { 3 }\n" + kRest).text, "text { }\n");
   const Reduction r = reduced(kRest + "prism { 3 }\n" + kRest);

@@ -159,6 +159,7 @@ std::string Reducer::reduced(std::string text) {
     for (const Meaning meaning : {Meaning::value, Meaning::in_parentheses, Meaning::content})
       if (!options_.stop()) text = without(text, names_replaced(text, meaning));
   }
+  if (!options_.stop()) options_.before_rounding(text);
   return laid_out(rounded(text));
 }
 

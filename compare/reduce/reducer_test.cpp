@@ -87,6 +87,13 @@ TEST_F(Reduction, NumbersBecomeRounder) {
   EXPECT_EQ(reduced("sphere { <0.333, 12.5, -7>, 0.127 }", holds({"sphere", "0.1"})), "sphere { <0, 0, -7>, 0.1 }");
 }
 
+TEST_F(Reduction, SaysWhenOnlyNumbersAreLeft) {
+  std::vector<std::string> seen;
+  options_.before_rounding = [&](const std::string& best) { seen.push_back(plain(best)); };
+  reduced("box { 0, 1 } sphere { 0, 0.125 }", holds({"sphere", "0.1"}));
+  EXPECT_EQ(seen, std::vector<std::string>{"sphere { 0, 0.125 }"});
+}
+
 TEST_F(Reduction, LoopsRunOnce) {
   EXPECT_THAT(reduced("#for (I, 1, 10, 2) torus { I, 1 } #end", holds({"#for", "torus"})), HasSubstr("#for (I, 1, 1)"));
   EXPECT_THAT(reduced("#while (A < 3) torus { A, 1 } #end",

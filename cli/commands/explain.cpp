@@ -192,6 +192,16 @@ std::string asked_oracle(const SceneSource& scene, const Options& options, const
   return oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, x, y, files_read);
 }
 
+// POV-Ray is not let run.
+void confine(ExplainOptions& o, const SceneSource& scene) {
+  o.no_oracle = true;
+  Policy policy = policy_of(o.options, {scene});
+  confine_scene(o.options, policy);
+  for (const std::string& file : {o.story_files.json, o.story_files.html, o.story_files.svg, o.tags})
+    if (!file.empty() && file != "-") grant_output(policy, file);
+  enter_sandbox(policy);
+}
+
 PixelStory story_of(const RayTree& tree, const SceneSource& scene, const Options& options, const scene::Scene& parsed,
                     const Color& color, double x, double y) {
   PixelStory story;
@@ -237,14 +247,7 @@ int command_explain(const std::vector<std::string>& arguments) {
   if (x != std::floor(x) || y != std::floor(y)) o.no_oracle = true;  // POV-Ray tells the colours of centres only
   const SceneSource scene = open_scene(o.options);
   if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", o.options.input_file));
-  if (wants_sandbox()) {
-    o.no_oracle = true;
-    Policy policy = policy_of(o.options, {scene});
-    confine_scene(o.options, policy);
-    for (const std::string& file : {o.story_files.json, o.story_files.html, o.story_files.svg, o.tags})
-      if (!file.empty() && file != "-") grant_output(policy, file);
-    enter_sandbox(policy);
-  }
+  if (wants_sandbox()) confine(o, scene);
 
   Console console(o.options, Style::verisim);
   Interrupt interrupt(watch(o.options, console));

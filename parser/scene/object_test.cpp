@@ -281,6 +281,11 @@ TEST(Modifiers, OnePatchDeniesASolidItsInside) {
   EXPECT_EQ(asked("union{sphere{0,1} light_source{0,1}}"), "inside() needs an object that has an inside.");
 }
 
+TEST(Modifiers, OneObjectIsFewForASolidSinceVersion16) {
+  EXPECT_EQ(parse("#version 1.5; difference{sphere{0,1}}").messages.find("at least 2"), std::string::npos);
+  EXPECT_NE(parse("#version 1.6; difference{sphere{0,1}}").messages.find("at least 2"), std::string::npos);
+}
+
 TEST(Modifiers, AnInvertedSolidHasAnInsideWithPatchesToo) {
   const auto messages = [](const std::string& object) {
     return parse("#declare O=" + object + " #declare V=inside(O,0);").messages;

@@ -114,6 +114,11 @@ TEST(Pigments, FunctionImagesAskForNoSurface) {
             std::string::npos);
 }
 
+TEST(Pigments, AWarpHasOneTurbulence) {
+  EXPECT_EQ(first_error("sphere{0,1 pigment{bozo warp{turbulence 1 octaves 2 octaves 3 lambda 2}}}"), "");
+  EXPECT_NE(first_error("sphere{0,1 pigment{bozo warp{turbulence 1 octaves 2 turbulence 2}}}"), "");
+}
+
 TEST(Pigments, QuickColorAndMessages) {
   EXPECT_EQ(*pigment_of("bozo quick_color rgb x")->quick_color, Rgb(1, 0, 0));
   EXPECT_NE(parse("sphere{0,1 pigment{}}").messages.find("Pigment type unspecified"), std::string::npos);

@@ -122,6 +122,8 @@ struct NativeResult {
   enum class Outcome : std::uint8_t { rendered, unsupported, error };
   Outcome outcome = Outcome::error;
   std::string message;  // what is not supported or wrong, with its place
+  enum class Ending : std::uint8_t { by_itself, by_signal, out_of_time };
+  Ending ending = Ending::by_itself;  // of a process; by_signal: it crashed
   double seconds = 0, cpu_seconds = 0;
   std::uint64_t peak_bytes = 0;
   std::map<std::string, std::uint64_t> rays;  // camera, reflected, refracted, shadow, ...

@@ -26,6 +26,7 @@ TEST_P(MissingSurface, EndsTheRenderThatAsks) {
 }
 
 const std::string kChecks = "uv_mapping checker rgb x rgb y";
+const std::string kMapped = "#declare N = normal { wood normal_map { [0 bumps] [1 dents] } } ";
 const std::string kFunction = "#declare F = function { pigment { " + kChecks + " } } ";
 const std::string kSky = "sky_sphere { pigment { " + kChecks + " } } ";
 const std::string kFog = "media { absorption 1 density { uv_mapping gradient x } }";
@@ -55,6 +56,13 @@ INSTANTIATE_TEST_SUITE_P(
                  "box { -1, 1 pigment { rgbt 1 } hollow interior { ior 1.4 " +
                      kFog + " } photons { target refraction on } } plane { y, -1 pigment { rgb 1 } }",
                  true},
+        // Not without a surface, but without a type that its map belongs to.
+        Question{"facets_with_a_map", kMapped + "sphere { 0, 1 pigment { rgb 1 } normal { N facets } }", true},
+        Question{"facets_in_a_map",
+                 kMapped + "sphere { 0, 1 pigment { rgb 1 } normal { checker normal { N facets } normal { bumps } } }",
+                 true},
+        Question{"facets_behind_the_camera", kMapped + "sphere { -9*z, 1 pigment { rgb 1 } normal { N facets } }",
+                 false},
         Question{"hidden_sky", kSky + "plane { z, 5 pigment { rgb 1 } }", false},
         Question{"entry_of_a_map_that_nothing_reaches",
                  "sky_sphere { pigment { gradient y pigment_map { [0 rgb x] [1 rgb z] [1 " + kChecks + "] } } }",

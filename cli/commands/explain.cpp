@@ -6,10 +6,10 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands/commands.h"
+#include "cli/commands/explain_scene.h"
 #include "cli/frame/frame.h"
 #include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
-#include "cli/commands/own_program.h"
 #include "cli/describe/pixel_tags.h"
 #include "cli/rays/ray_drawing.h"
 #include "cli/rays/ray_page.h"
@@ -63,32 +63,6 @@ double coordinate(const std::string& word, int limit, const char* name) {
   if (word.empty() || *end || !(value >= -0.5 && value <= limit - 0.5))
     throw OptionError(fmt::format("{} must be a number from 0 to {}, not '{}'", name, limit - 1, word));
   return value;
-}
-
-// The suspects of one scene: it is compared with POV-Ray, and its pixels are looked at.
-int explain_scene(const std::vector<std::string>& words, bool replay) {
-  const SuiteWords given = suite_words(words);
-  compare::RunOptions run;
-  run.native = compare::native_program(own_program(), {});
-  run.tags = compare::tags_of_program(own_program());
-  run.native_version = VERISIM_VERSION;
-  run.replay = replay;
-  run.always_blame = true;
-  run.native_time_limit = 600;
-  Interrupt interrupt;
-  run.cancel = &interrupt.flag();
-  compare::Run result;
-  try {
-    result = compare::run_suite(compare::load_suite(given.what, given.defaults), run);
-  } catch (const compare::OracleMissing& missing) {
-    std::fprintf(stderr, "verisim explain: %s\n", missing.what());
-    return kInputOutput;
-  }
-  if (result.cancelled) return kInterrupted;
-  if (result.scenes.empty()) return kInputOutput;
-  const compare::SceneResult& scene = result.scenes[0];
-  std::fputs(compare::terminal_blame(scene).c_str(), stdout);
-  return scene.status == compare::Status::unsupported ? kUnsupported : scene.failed() ? kDifferent : kOk;
 }
 
 // Every pixel's tags, and the trees of some: what `verisim compare` asks for.
@@ -164,6 +138,7 @@ void write_story(const StoryFiles& files, PixelStory story, const scene::Scene& 
 // What the options say.
 struct ExplainOptions {
   Options options;
+  SceneExplanation whole;
   bool no_oracle = false;
   std::string tags;
   StoryFiles story_files;
@@ -177,6 +152,7 @@ void declare_options(OwnOptions& own, ExplainOptions& o) {
       .example("verisim explain scene.pov 320 200 +W640 +H480", "the rays behind the pixel in column 320, row 200")
       .example("verisim explain scene.pov 320 200 --html pixel.html", "the same as a page, with the rays drawn")
       .example("verisim explain scene.pov", "what the pixels have in common that differ from POV-Ray's")
+      .example("verisim explain --reduce scene.pov", "the smallest scene that still shows the difference")
       .section("Options");
   own.flag("--no-oracle", o.no_oracle, "do not ask POV-Ray for its colour");
   own.value("--html FILE", o.story_files.html,
@@ -188,6 +164,15 @@ void declare_options(OwnOptions& own, ExplainOptions& o) {
   own.value("--tags FILE", o.tags, "write what every pixel shows (objects, patterns, lights, features) as JSON");
   own.value("--tags-step N", o.step, "only every so many pixels and rows, for --tags");
   own.values("--tree X,Y", o.trees, "put the ray tree of this pixel into the file of --tags, too (may be given again)");
+  own.section("Of a scene without a pixel");
+  own.flag("--reduce", o.whole.reduce,
+           "make the scene as small as it can be while it still shows the difference, then look for suspects in that");
+  own.value("--reduce-to FILE", o.whole.reduce_to,
+            "where the reduced scene goes; default: SCENE.reduced.pov beside the scene, whose files it may need");
+  own.value("--seconds X", o.whole.seconds,
+            "time for all of --reduce, 60 if not told otherwise: the best so far counts");
+  own.value("--oracle PROGRAM", o.whole.oracle, "a POV-Ray, or another verisim; default: povray in PATH");
+  own.value("--native PROGRAM", o.whole.native, "another verisim to be judged; default: this one");
   add_pixel_options(own, o.options);
   refuse_render_options(own);
   own.switches({Topic::scene, Topic::size, Topic::speed, Topic::animation, Topic::messages});
@@ -205,6 +190,16 @@ std::string asked_oracle(const SceneSource& scene, const Options& options, const
     switches.push_back("+L" + fs::current_path().string());
   }
   return oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, x, y, files_read);
+}
+
+// POV-Ray is not let run.
+void confine(ExplainOptions& o, const SceneSource& scene) {
+  o.no_oracle = true;
+  Policy policy = policy_of(o.options, {scene});
+  confine_scene(o.options, policy);
+  for (const std::string& file : {o.story_files.json, o.story_files.html, o.story_files.svg, o.tags})
+    if (!file.empty() && file != "-") grant_output(policy, file);
+  enter_sandbox(policy);
 }
 
 PixelStory story_of(const RayTree& tree, const SceneSource& scene, const Options& options, const scene::Scene& parsed,
@@ -232,8 +227,10 @@ int command_explain(const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = own.parse(arguments), files = apply_words(o.options, words);
   if (files.size() == 1 && o.tags.empty()) {
     if (wants_sandbox()) throw OptionError("--sandbox does not let POV-Ray run: give a pixel, too");
-    return explain_scene(words, o.options.replay);
+    o.whole.replay = o.options.replay;
+    return explain_scene(words, o.whole);
   }
+  if (o.whole.reduce) throw OptionError("--reduce takes a scene without a pixel: verisim explain --reduce SCENE");
   if (files.size() != (o.tags.empty() ? 3 : 1))
     throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
   if (o.step < 1) throw OptionError("--tags-step must be at least 1");
@@ -250,14 +247,7 @@ int command_explain(const std::vector<std::string>& arguments) {
   if (x != std::floor(x) || y != std::floor(y)) o.no_oracle = true;  // POV-Ray tells the colours of centres only
   const SceneSource scene = open_scene(o.options);
   if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", o.options.input_file));
-  if (wants_sandbox()) {
-    o.no_oracle = true;
-    Policy policy = policy_of(o.options, {scene});
-    confine_scene(o.options, policy);
-    for (const std::string& file : {o.story_files.json, o.story_files.html, o.story_files.svg, o.tags})
-      if (!file.empty() && file != "-") grant_output(policy, file);
-    enter_sandbox(policy);
-  }
+  if (wants_sandbox()) confine(o, scene);
 
   Console console(o.options, Style::verisim);
   Interrupt interrupt(watch(o.options, console));

@@ -1,10 +1,13 @@
 #include "cli/describe/pixel_tags.h"
 
+#include <cmath>
 #include <unordered_set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/describe/object_names.h"
+#include "tracer/shading/scene_data.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::cli {
@@ -137,17 +140,32 @@ void TagWitness::describe(const scene::Object& object, bool seen_directly, const
   for (const auto& [kind, word] : found->second) add(kind, word);
 }
 
+void TagWitness::scene(const shading::SceneData& scene) { world_ = &scene.world; }
+
+// Which of several surfaces in one place shows hangs on the order in which they are asked.
+void TagWitness::describe_coincidence(const shading::RayState& ray, double t) {
+  const std::vector<const scene::Object*> objects = world_->coincident(ray.ray, ray.kind(), t);
+  if (objects.size() < 2) return;
+  std::set<std::string> names;
+  for (const scene::Object* object : objects) names.insert(placed_object_name(*object, origins_));
+  add("coincidence", names.size() > 1 ? fmt::format("{}", fmt::join(names, " and ")) : "copies of " + *names.begin());
+}
+
 void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hit) {
   parts_.ray_started(ray, hit);
   ++depth_;
   if (ray.gather && gathering_ == 0) gathering_ = depth_;
   if (gathering_) return;
+  if (depth_ == 1 && world_)
+    for (const scene::Object* object : world_->passed(ray.ray, ray.kind(), hit ? hit->t : HUGE_VAL))
+      add("passed object", with_place(*object));
   if (depth_ > 1) add("feature", ray.reflected ? "reflection" : "transparency and refraction");
   if (!hit) {
     add(depth_ == 1 ? "object" : "secondary object",
         depth_ == 1 ? "sky, background or nothing" : "sky or background by a secondary ray");
     return;
   }
+  if (world_) describe_coincidence(ray, hit->t);
   if (const shapes::Surface* surface = hit->shape->surface; surface && surface->object)
     describe(*surface->object, depth_ == 1, ray);
 }

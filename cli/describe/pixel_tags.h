@@ -12,6 +12,7 @@
 #include "parser/source/origins.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shading/explain.h"
+#include "tracer/world/world.h"
 
 namespace verisim::cli {
 
@@ -22,6 +23,7 @@ class TagWitness : public shading::Observer {
   int take();
   compare::PixelTags& tags() { return tags_; }
 
+  void scene(const shading::SceneData& scene) override;
   void ray_started(const shading::RayState& ray, const shapes::Hit* hit) override;
   void ray_ended(const shading::RayState& ray, const Color&) override;
   void layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) override;
@@ -38,12 +40,14 @@ class TagWitness : public shading::Observer {
   void add(const std::string& kind, const std::string& name);
   void describe(const scene::Object& object, bool seen_directly, const shading::RayState& ray);
 
+  void describe_coincidence(const shading::RayState& ray, double t);
   void know_parents(const scene::Object& parent);
   std::string with_place(const scene::Object& object) const;
 
   compare::PixelTags tags_;
   Contributions parts_;
   const parser::Origins& origins_;
+  const accel::World* world_ = nullptr;
   std::unordered_map<const scene::Object*, const scene::Object*> parent_;
   std::map<std::pair<std::string, std::string>, int> index_;
   std::map<std::set<int>, int> set_index_;

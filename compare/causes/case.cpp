@@ -1,5 +1,7 @@
 #include "compare/causes/case.h"
 
+#include <set>
+
 namespace verisim::compare {
 namespace {
 
@@ -17,6 +19,22 @@ Pixel mean_of(const Values& v, int x0, int y0, int side) {
     }
   for (float& s : sum) s /= static_cast<float>(n);
   return sum;
+}
+
+// Whether the pixels that are wrong by a good part of the largest difference had, or have, hardly more than one colour.
+bool of_few_colors(const Case& c) {
+  constexpr std::size_t kFew = 4;
+  constexpr float kGoodPart = 0.01f;  // of the squared difference
+  const float most = c.squared.empty() ? 0 : *std::max_element(c.squared.begin(), c.squared.end());
+  const auto few = [&](const Pixels& picture) {
+    std::set<std::array<int, 3>> colors;
+    for (std::size_t i = 0; i < c.size() && colors.size() < kFew; ++i)
+      if (c.squared[i] > kGoodPart * most)
+        colors.insert({static_cast<int>(picture[i][0] + 0.5f), static_cast<int>(picture[i][1] + 0.5f),
+                       static_cast<int>(picture[i][2] + 0.5f)});
+    return colors.size() < kFew;
+  };
+  return few(c.reference) || few(c.test);
 }
 
 }  // namespace
@@ -45,6 +63,8 @@ Case::Case(const Picture& a, const Picture& b, const Tags& known)
       wrong.push_back(!finite || largest > limit);
       wrong_count += wrong.back(), total += squared.back();
     }
+  constexpr double kUntested = 0.25;
+  if (tags.any() && !tags.both() && of_few_colors(*this)) tested = kUntested;
 }
 
 Suspicion Case::repaired(std::string what, std::string detail, const Pixels& predicted, double weight) const {
@@ -65,7 +85,7 @@ Suspicion Case::repaired(std::string what, std::string detail, const Pixels& pre
   s.explained = total > 0 ? 1 - left / total : 0;
   s.precision = foreseen ? static_cast<double>(right) / static_cast<double>(foreseen) : 0;
   // What is foreseen and not there is left over, too, and so counts in both.
-  s.sure = weight * std::max(0.0, s.explained) * (0.8 + 0.2 * s.precision);
+  s.sure = tested * weight * std::max(0.0, s.explained) * (0.8 + 0.2 * s.precision);
   s.pixels = full_size(explained);
   return s;
 }
@@ -150,6 +170,13 @@ Mask dilated(const Case& c, const Mask& mask, int radius) {
       for (int j = std::max(0, y - radius); j <= std::min(c.height - 1, y + radius) && !out[c.at(x, y)]; ++j)
         out[c.at(x, y)] = rows[c.at(x, j)];
   return out;
+}
+
+double part_of_right(const Case& c, const Mask& mask) {
+  std::size_t with = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) with += mask[i] && !c.wrong[i];
+  const std::size_t right = c.size() - c.wrong_count;
+  return right > 0 ? static_cast<double>(with) / static_cast<double>(right) : 0;
 }
 
 double share_of(const Case& c, const Mask& mask) {

@@ -46,6 +46,8 @@ class Case {
   std::vector<float> squared;  // of the difference, of each pixel
   Mask wrong;                  // beyond `limit`
   double total = 0, limit = 0;
+  // Any formula fits wrong pixels of hardly more than one colour: where what they show is known, formulas count less.
+  double tested = 1;
   std::size_t wrong_count = 0, nan_count = 0;
   Tags tags;
 
@@ -77,6 +79,7 @@ inline float squared_distance(const Pixel& a, const Pixel& b) {
   return r * r + g * g + c * c;
 }
 Mask dilated(const Case& c, const Mask& mask, int radius);
-double share_of(const Case& c, const Mask& mask);  // of the squared difference
+double share_of(const Case& c, const Mask& mask);       // of the squared difference
+double part_of_right(const Case& c, const Mask& mask);  // how many of the pixels that are not wrong
 
 }  // namespace verisim::compare

@@ -18,12 +18,23 @@ double correlation(const Case& c, const Mask& mask) {
   return spread > 0 ? (n * xy - x * y) / std::sqrt(spread) : 0;
 }
 
+// Of few wrong pixels the correlation says little. How much more often they have the tag than the right ones do, unless
+// that may be chance.
+double excess(const Case& c, const Mask& mask) {
+  const double right = part_of_right(c, mask);
+  std::size_t with = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) with += mask[i] && c.wrong[i];
+  const double wrong = static_cast<double>(with) / static_cast<double>(c.wrong_count);
+  return (wrong - right) * (1 - std::pow(right, static_cast<double>(with)));
+}
+
 const char* suspect_of(const PixelTags::Tag& tag) {
   if (tag.kind == "texture") return tag.name.starts_with("normal") ? "normals" : "texture";
   if (tag.kind == "light") return tag.name.starts_with("in the shadow") ? "shadows" : "light";
   if (tag.kind == "feature") return tag.name.starts_with("noise") ? "noise functions" : "feature";
   if (tag.kind == "secondary object") return "reflection or refraction";
   if (tag.kind == "shape") return "shape";
+  if (tag.kind == "passed object") return "object missing";
   return nullptr;
 }
 
@@ -36,10 +47,10 @@ void suspect_features(const Case& c, Suspicions& out) {
     const char* what = suspect_of(tag);
     if (!what) continue;
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
-    const double phi = correlation(c, mask);
-    if (phi < 0.3) continue;
+    const double strength = std::max(correlation(c, mask), excess(c, mask));
+    if (strength < 0.3) continue;
     Suspicion s = c.placed(what, tag.name, mask, 1);
-    s.sure = 0.65 * phi * std::sqrt(s.explained);
+    s.sure = 0.65 * strength * std::sqrt(s.explained);
     out.push_back(std::move(s));
   }
 }

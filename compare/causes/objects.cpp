@@ -252,7 +252,8 @@ void outlines_of_one_side(const Case& c, Suspicions& out) {
       const Registered r = registered(c, freedom, mx, my, around);
       Suspicion s = c.placed(what, fmt::format("{}: {}", object.name, detail(r.motion)), around, 1);
       s.explained *= std::max(0.0, r.explained);
-      s.sure = 0.95 * weight::kRepaired * s.explained * (known > 0 && 1 - r.explained > 0.6 * (1 - known) ? 0.8 : 1);
+      s.sure = c.tested * 0.95 * weight::kRepaired * s.explained *
+               (known > 0 && 1 - r.explained > 0.6 * (1 - known) ? 0.8 : 1);
       known = std::max(known, r.explained);
       out.push_back(std::move(s));
     };

@@ -76,6 +76,7 @@ void inside(const Case& c, const Rectangle& r, Suspicions& out) {
   s.sure = weight::kRepaired * s.explained * (fills ? 1 : 0.4 * s.precision);
   out.push_back(std::move(s));
 
+  if (spread < 1) return;  // what is of one colour may come from anywhere
   const int far =
       std::min({24, std::max(c.width, c.height) / 4, static_cast<int>(3e7 / std::max(1.0, r.area() * 49 * 49) * 24)});
   double best = std::numeric_limits<double>::max(), still = 0;

@@ -28,7 +28,9 @@ void lone_pixels(const Case& c, Suspicions& out) {
   const char* what = white > 0.8 * static_cast<double>(count)   ? "white"
                      : black > 0.8 * static_cast<double>(count) ? "black"
                                                                 : "wrong";
-  Suspicion s = c.placed("specks", fmt::format("{} lone {} pixels", count, what), lone, weight::kPlace);
+  constexpr std::size_t kMany = 8;  // of fewer it is no pattern that they are alone
+  Suspicion s = c.placed("specks", fmt::format("{} lone {} pixels", count, what), lone,
+                         count >= kMany || !c.tags.any() ? weight::kPlace : weight::kVague);
   out.push_back(std::move(s));
 }
 
@@ -74,8 +76,20 @@ void few_pixels(const Case& c, Suspicions& out) {
   out.push_back(std::move(s));
 }
 
+// Where the renderer knows of several surfaces in one place, and mostly there, pixels are wrong.
+void known_coincidences(const Case& c, Suspicions& out) {
+  if (!c.tags.any()) return;
+  for (const PixelTags::Tag& tag : c.tags.any()->tags) {
+    if (tag.kind != "coincidence") continue;
+    const Mask mask = c.pixels_with(*c.tags.any(), [&](const PixelTags::Tag& other) { return &other == &tag; });
+    Suspicion s = c.placed("coincident surfaces", tag.name + " are in the same place", mask, 1);
+    s.sure = weight::kKnown * s.explained * (1 - part_of_right(c, mask));
+    out.push_back(std::move(s));
+  }
+}
+
 // Two objects in each other's place, pixel by pixel: which of two surfaces in one place is seen is chance.
-void coincident_surfaces(const Case& c, Suspicions& out) {
+void exchanged_surfaces(const Case& c, Suspicions& out) {
   if (!c.tags.both()) return;
   const auto object_of = [](const PixelTags& tags, int set) {
     if (set >= 0)
@@ -109,7 +123,8 @@ void coincident_surfaces(const Case& c, Suspicions& out) {
 }  // namespace
 
 void suspect_specks(const Case& c, Suspicions& out) {
-  not_numbers(c, out), lone_pixels(c, out), edges(c, out), few_pixels(c, out), coincident_surfaces(c, out);
+  not_numbers(c, out), lone_pixels(c, out), edges(c, out), few_pixels(c, out);
+  known_coincidences(c, out), exchanged_surfaces(c, out);
 }
 
 }  // namespace verisim::compare

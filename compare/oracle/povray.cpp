@@ -9,6 +9,7 @@
 
 #include "compare/compare.h"
 #include "compare/oracle/content_hash.h"
+#include "compare/oracle/povray.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/switches.h"
 #include "compare/oracle/working_copy.h"
@@ -339,24 +340,30 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
   return out;
 }
 
+NativeResult render_with_povray(const OracleProgram& program, const OracleOptions& options,
+                                const NativeRequest& request, int variant) {
+  NativeResult out;
+  SceneRequest scene;
+  scene.switches = request.switches, scene.width = request.width, scene.height = request.height;
+  const TemporaryFolder home;
+  const fs::path ini = home.path() / "oracle.ini";
+  std::ofstream(ini) << ini_text(program.library_paths);
+  const ProcessResult run =
+      run_process({command_line(program, options, scene, plainly_named(request.scene).filename().string(),
+                                request.output.string(), variant),
+                   request.folder, clean_environment(home.path(), ini), request.time_limit, request.cancel});
+  out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
+  if (run.succeeded())
+    out.outcome = NativeResult::Outcome::rendered;
+  else
+    out.message = failure(program, run, request.time_limit), out.ending = ending_of(run);
+  return out;
+}
+
 NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options) {
-  return [program, options](const NativeRequest& request) {
-    NativeResult out;
-    SceneRequest scene;
-    scene.switches = request.switches, scene.width = request.width, scene.height = request.height;
-    const TemporaryFolder home;
-    const fs::path ini = home.path() / "oracle.ini";
-    std::ofstream(ini) << ini_text(program.library_paths);
-    const ProcessResult run =
-        run_process({command_line(program, options, scene, plainly_named(request.scene).filename().string(),
-                                  request.output.string(), 2 * request.run + 1),
-                     request.folder, clean_environment(home.path(), ini), options.time_limit, request.cancel});
-    out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
-    if (run.succeeded())
-      out.outcome = NativeResult::Outcome::rendered;
-    else
-      out.message = failure(program, run, options.time_limit);
-    return out;
+  return [program, options](NativeRequest request) {
+    request.time_limit = options.time_limit;
+    return render_with_povray(program, options, request, 2 * request.run + 1);
   };
 }
 

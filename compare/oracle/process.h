@@ -28,6 +28,8 @@ struct ProcessResult {
   double wall = 0, cpu = 0;      // seconds; cpu: user + system of the process and the children it waited for
   std::uint64_t peak_bytes = 0;  // largest resident set
   bool succeeded() const { return started && !timed_out && !cancelled && signal == 0 && exit_code == 0; }
+  // A crash, not one of ours that ended it.
+  bool crashed() const { return started && !timed_out && !cancelled && signal != 0; }
   // "exit status 1", "killed by signal 11 (Segmentation fault)", "no end after 600 s" ...
   std::string how_it_ended(double time_limit) const;
 };

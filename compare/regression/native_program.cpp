@@ -8,6 +8,7 @@
 
 #include "compare/compare.h"
 #include "compare/bounded_json.h"
+#include "compare/oracle/povray.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/program_call.h"
@@ -92,6 +93,7 @@ NativeRenderer native_program(const std::filesystem::path& program, const std::v
       return out;
     }
     out.message = message_of(run.err);
+    out.ending = ending_of(run);
     const bool ended = run.started && !run.timed_out && !run.cancelled && run.signal == 0;
     if (ended && run.exit_code == 4) {
       out.outcome = NativeResult::Outcome::unsupported;

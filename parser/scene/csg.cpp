@@ -20,7 +20,8 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
     child->solid_steps = {};  // nobody writes to its texture any more
     csg.children.push_back(child);
   }
-  if (csg.children.declared().size() < 2) parser.warning(Code::too_few, "Should have at least 2 objects in csg.");
+  if (csg.children.declared().size() < 2 && parser.version() > 150)
+    parser.warning(Code::too_few, "Should have at least 2 objects in csg.");
   object.shape = std::move(csg);
   check_nesting(parser, object);
 }

@@ -4,6 +4,7 @@
 #include "parser/scene/objects.h"
 #include "parser/scene/textures/texture.h"
 #include "parser/scene/common/transform.h"
+#include "tracer/scene/solid_parts.h"
 #include "tracer/textures/compile/texture_pool.h"
 
 namespace verisim::parser {
@@ -129,6 +130,11 @@ bool parse_appearance(Parser& parser, Object& object) {
   }
 }
 
+// It can, if there are solids in it, but POV-Ray says so.
+bool cannot_be_inverted(const Object& object) {
+  return scene::is_patch(object) || (object.as<scene::Csg>() && !scene::has_only_solid_parts(object));
+}
+
 // What rays make of it. False: none of that.
 bool parse_object_flag(Parser& parser, Object& object) {
   const Word word = word_at(parser);
@@ -140,7 +146,7 @@ bool parse_object_flag(Parser& parser, Object& object) {
   switch (word) {
     case Word::inverse:
       parser.next();
-      if (scene::is_patch(object)) parser.warning(Code::incompatible, "Cannot invert a patch object.");
+      if (cannot_be_inverted(object)) parser.warning(Code::incompatible, "Cannot invert a patch object.");
       scene::invert(object);
       return true;
     case Word::sturm:

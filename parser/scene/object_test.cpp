@@ -281,6 +281,23 @@ TEST(Modifiers, OnePatchDeniesASolidItsInside) {
   EXPECT_EQ(asked("union{sphere{0,1} light_source{0,1}}"), "inside() needs an object that has an inside.");
 }
 
+TEST(Modifiers, OneObjectIsFewForASolidSinceVersion16) {
+  EXPECT_EQ(parse("#version 1.5; difference{sphere{0,1}}").messages.find("at least 2"), std::string::npos);
+  EXPECT_NE(parse("#version 1.6; difference{sphere{0,1}}").messages.find("at least 2"), std::string::npos);
+}
+
+TEST(Modifiers, AnInvertedSolidHasAnInsideWithPatchesToo) {
+  const auto messages = [](const std::string& object) {
+    return parse("#declare O=" + object + " #declare V=inside(O,0);").messages;
+  };
+  const std::string mixed = "union{sphere{0,1} triangle{0,x,y}}", inverse = "object{" + mixed + " inverse}";
+  EXPECT_NE(messages(inverse).find("Cannot invert a patch object."), std::string::npos);
+  for (const std::string& object :
+       {inverse, "difference{sphere{0,2} " + mixed + "}", "intersection{sphere{0,2} " + inverse + "}"})
+    EXPECT_EQ(messages(object).find("an inside"), std::string::npos) << object;
+  EXPECT_EQ(messages("intersection{sphere{0,2} " + inverse + "}").find("Patch objects"), std::string::npos);
+}
+
 TEST(Modifiers, ErrorsHavePovRaysMeaning) {
   EXPECT_EQ(first_error("sphere{0,1 pigment{rgb 1} uv_mapping}"), "uv_mapping must be specified before texture.");
   EXPECT_EQ(first_error("sphere{0,1 interior_texture{pigment{rgb 1}}}"),

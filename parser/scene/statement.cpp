@@ -57,6 +57,7 @@ class ObjectCheck {
   scene::SharedLists seen;
 
   void textures(const scene::Object& o) {
+    if (const auto* light = o.as<scene::LightSource>(); light && !light->looks_like) return;  // shows none
     for (const scene::TexturePtr* texture : {&o.texture, &o.interior_texture}) {
       if (*texture && *texture != last) check(**texture);
       if (*texture) last = *texture;
@@ -70,7 +71,8 @@ class ObjectCheck {
     for (const scene::ObjectPtr& child : scene::declared_children(parent)) {
       textures(*child);
       const bool has_texture = textured || child->texture;
-      if (!has_texture && scene::declared_children(*child).empty()) check(*parser.default_texture());
+      if (!has_texture && scene::declared_children(*child).empty() && !child->as<scene::LightSource>())
+        check(*parser.default_texture());
       postponed(*child, has_texture);
     }
   }

@@ -85,6 +85,11 @@ class World {
   // `entry`: of a shaft that holds the ray; null: none known.
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
                  const WorldEntry* entry = nullptr) const;
+  // The objects that a ray meets in one place, at t: POV-Ray's order of them decides which of them shows (spec 08 A).
+  // For who explains pixels, not for speed.
+  std::vector<const scene::Object*> coincident(const Ray& ray, RayKind kind, double t) const;
+  // Objects whose boxes a ray crosses before t_max and that it does not meet there.
+  std::vector<const scene::Object*> passed(const Ray& ray, RayKind kind, double t_max) const;
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
   bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
   // Both for rays first .. first + count - 1 of a batch, all of the shaft of `entry` (null: none known).

@@ -92,6 +92,36 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
   return search.found();
 }
 
+std::vector<const scene::Object*> World::coincident(const Ray& ray, RayKind kind, double t) const {
+  const double near = t - kCoincident * t, far = with_coincident(t);
+  std::vector<const scene::Object*> out;
+  for (const Entry& entry : impl_->entries) {
+    double from = near, to = far;
+    if ((entry.hidden & bit(kind)) || !entry.shape || !clip_to_box(ray, entry.shape->bounds(), from, to)) continue;
+    shapes::ScratchHits hits;
+    entry.shape->intersect_all(ray, kind, hits.list());
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i) {
+      const shapes::Surface* surface = hits[i].shape->surface;
+      if (hits[i].t < near || hits[i].t > far || !surface) continue;
+      if (std::ranges::find(out, surface->object) == out.end()) out.push_back(surface->object);
+    }
+  }
+  return out;
+}
+
+std::vector<const scene::Object*> World::passed(const Ray& ray, RayKind kind, double t_max) const {
+  std::vector<const scene::Object*> out;
+  for (const Entry& entry : impl_->entries) {
+    double from = 0, to = t_max;
+    if ((entry.hidden & bit(kind)) || !entry.shape || entry.infinite ||
+        !clip_to_box(ray, entry.shape->bounds(), from, to))
+      continue;
+    Hit hit;
+    if (!entry.shape->intersect(ray, kind, 0, t_max, hit)) out.push_back(entry.object);
+  }
+  return out;
+}
+
 // Whether something opaque lies on one ray.
 class World::Occlusion {
  public:

@@ -74,7 +74,7 @@ bool parse_modifier(Parser& parser, Density& density) {
 
 scene::DensityPtr parse_density_body(Parser& parser) {
   const Parser::Depth depth(parser);
-  scene::DensityPtr original = plain_white();
+  scene::DensityPtr original = std::make_shared<Density>();  // white; without a type it takes maps, which mean nothing
   if (const auto* value = parser.accept_value<scene::DensityPtr>()) original = *value;
   auto density = std::make_shared<Density>(*original);
   if (parser.at(Word::uv_mapping)) {

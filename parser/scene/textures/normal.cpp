@@ -1,4 +1,6 @@
 // normal { ... } (spec 05 section 10).
+#include <fmt/format.h>
+
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/maps.h"
 #include "parser/scene/common/nesting.h"
@@ -29,6 +31,11 @@ void read_uv_mapped(Parser& parser, Normal& normal) {
   normal.normal_map = map;
 }
 
+void refuse_with_image(Parser& parser, const Normal& normal, const char* map) {
+  if (normal.pattern.kind == PatternKind::bump_map)
+    parser.error(Code::incompatible, fmt::format("Keyword '{}' cannot be used with this normal type.", map));
+}
+
 bool parse_modifier(Parser& parser, Normal& normal) {
   switch (word_at(parser)) {
     case Word::bump_size:
@@ -44,15 +51,15 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       normal.no_bump_scale = true;
       return true;
     case Word::slope_map:
-      if (normal.pattern.kind == PatternKind::none || refuses_maps(normal.pattern.kind) ||
-          normal.pattern.kind == PatternKind::average)
+      refuse_with_image(parser, normal, "slope_map");
+      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average)
         parser.error(Code::incompatible, "Cannot use slope_map with this pattern type.");
       normal.slope_map = parse_slope_map(parser);
       normal.normal_map = nullptr;
       return true;
     case Word::normal_map:
-      if (normal.pattern.kind == PatternKind::none || refuses_maps(normal.pattern.kind) ||
-          normal.pattern.kind == PatternKind::facets)
+      refuse_with_image(parser, normal, "normal_map");
+      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets)
         parser.error(Code::incompatible, "Cannot use normal_map with this pattern type.");
       normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
       normal.slope_map = nullptr;

@@ -54,6 +54,28 @@ bool parse_part(Parser& parser, scene::TextureLayer& layer, bool* replaced = nul
   }
 }
 
+// Identifiers of pigments, normals and finishes, which may stand at the beginning of a texture: the last of a kind
+// counts.
+void read_part_identifiers(Parser& parser, scene::TextureLayer& layer) {
+  for (;;) {
+    if (const auto* pigment = parser.accept_value<scene::PigmentPtr>())
+      layer.pigment = *pigment;
+    else if (const auto* normal = parser.accept_value<scene::NormalPtr>())
+      layer.normal = *normal;
+    else if (const auto* finish = parser.accept_value<Shared<scene::Finish>>())
+      layer.finish = **finish;
+    else
+      return;
+  }
+}
+
+bool at_part_identifier(Parser& parser) {
+  const Value* value = parser.peek_value();
+  return value &&
+         (std::holds_alternative<scene::PigmentPtr>(*value) || std::holds_alternative<scene::NormalPtr>(*value) ||
+          std::holds_alternative<Shared<scene::Finish>>(*value));
+}
+
 void parse_plain_items(Parser& parser, Texture& texture) {
   for (;;) {
     Transform item;
@@ -230,6 +252,7 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
     if (parser.at('}') || parser.at(']')) return original;  // shared, so that it is compiled once
     auto texture = std::make_shared<Texture>(*original);
     if (!texture->patterned()) {
+      read_part_identifiers(parser, texture->layers.back());
       parse_plain_items(parser, *texture);
       return texture;
     }
@@ -238,12 +261,8 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
     return texture;
   }
   auto texture = std::make_shared<Texture>(*parser.default_texture());
-  if (const auto* pigment = parser.accept_value<scene::PigmentPtr>()) {
-    texture->layers.back().pigment = *pigment;
-  } else if (const auto* normal = parser.accept_value<scene::NormalPtr>()) {
-    texture->layers.back().normal = *normal;
-  } else if (const auto* finish = parser.accept_value<Shared<scene::Finish>>()) {
-    texture->layers.back().finish = **finish;
+  if (at_part_identifier(parser)) {
+    read_part_identifiers(parser, texture->layers.back());
   } else if (parser.version() >= 300) {
     if (scene::TexturePtr patterned = parse_patterned(parser)) return patterned;
   } else if (parser.at(Word::tiles) || parser.at(Word::material_map)) {

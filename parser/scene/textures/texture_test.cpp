@@ -114,6 +114,11 @@ TEST(Pigments, FunctionImagesAskForNoSurface) {
             std::string::npos);
 }
 
+TEST(Pigments, AWarpHasOneTurbulence) {
+  EXPECT_EQ(first_error("sphere{0,1 pigment{bozo warp{turbulence 1 octaves 2 octaves 3 lambda 2}}}"), "");
+  EXPECT_NE(first_error("sphere{0,1 pigment{bozo warp{turbulence 1 octaves 2 turbulence 2}}}"), "");
+}
+
 TEST(Pigments, QuickColorAndMessages) {
   EXPECT_EQ(*pigment_of("bozo quick_color rgb x")->quick_color, Rgb(1, 0, 0));
   EXPECT_NE(parse("sphere{0,1 pigment{}}").messages.find("Pigment type unspecified"), std::string::npos);
@@ -133,6 +138,43 @@ TEST(Normals, AmountAndMaps) {
   EXPECT_FALSE(normal_of("checker 1")->normal_map);
   EXPECT_EQ(first_error("sphere{0,1 normal{}}"), "No normal type given.");
   EXPECT_EQ(first_error("#declare N=normal{bump_size 2};"), "");
+}
+
+// At the beginning of a texture, and nowhere else.
+TEST(Textures, IdentifiersOfTheirParts) {
+  const std::string declared =
+      "#declare P=pigment{rgb x} #declare Q=pigment{rgb y} #declare F=finish{ambient 1} "
+      "#declare N=normal{bumps 2} #declare T=texture{pigment{rgb z}} "
+      "texture{pigment{rgbt 1}}; ";
+  const auto layer = [&](const std::string& body) {
+    return sphere_with("texture{" + body + "}", declared)->texture->layers.back();
+  };
+  EXPECT_EQ(layer("P Q").pigment->color, Color(0, 1, 0));
+  EXPECT_EQ(layer("Q P scale 2").pigment->color, Color(1, 0, 0));
+  EXPECT_EQ(layer("F N P").normal->amount, 2);
+  EXPECT_EQ(layer("F N P").finish->ambient, Rgb(1, 1, 1));
+  EXPECT_EQ(layer("T Q N").pigment->color, Color(0, 1, 0));
+  EXPECT_EQ(sphere_with("texture{T Q}", declared)->texture->layers[0].pigment->color, Color(0, 0, 1));
+  for (const char* body : {"pigment{rgb 1} P", "P scale 2 P", "P finish{ambient 1} N", "P T", "T T"})
+    EXPECT_NE(first_error(declared + "sphere{0,1 texture{" + body + "}}"), "") << body;
+}
+
+// Maps may come before the pattern that they belong to: of a normal it must be there where the normal is used.
+TEST(Textures, MapsWithoutAType) {
+  EXPECT_EQ(normal_of("normal_map{[0 bumps][1 dents]}} normal{wood")->normal_map->size(), 2u);
+  EXPECT_EQ(first_error("#declare N=normal{slope_map{[0 <0,1>]}};"), "");
+  EXPECT_EQ(first_error("sphere{0,1 normal{normal_map{[0 bumps]}}}"), "No normal type given.");
+  const std::string image = "sphere{0,1 normal{bump_map{function 3,3{x}} ";
+  EXPECT_EQ(first_error(image + "normal_map{[0 bumps]}}}"),
+            "Keyword 'normal_map' cannot be used with this normal type.");
+  EXPECT_EQ(first_error(image + "slope_map{[0 <0,1>]}}}"), "Keyword 'slope_map' cannot be used with this normal type.");
+  EXPECT_EQ(first_error("#default{normal{}} light_source{0,1}"), "");
+  EXPECT_EQ(first_error("#default{normal{}} union{light_source{0,1} sphere{0,1 normal{bumps}}}"), "");
+  EXPECT_EQ(first_error("#default{normal{}} light_source{0,1 looks_like{sphere{0,1}}}"), "No normal type given.");
+  const std::string media = "sphere{0,1 hollow interior{media{density{";
+  EXPECT_EQ(first_error(media + "color_map{[0 rgb 1]}}}}}"), "");
+  EXPECT_EQ(first_error(media + "density_map{[0 rgb 1]}}}}}"), "");
+  EXPECT_EQ(first_error(media + "rgb 1 color_map{[0 rgb 1]}}}}}"), "Cannot use color_map with this pattern type.");
 }
 
 TEST(Textures, PatternedOnes) {

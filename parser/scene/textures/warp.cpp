@@ -122,7 +122,8 @@ scene::Warp parse_warp(Parser& parser) {
   switch (word_at(parser)) {
     case Word::turbulence: {
       scene::TurbulenceWarp warp;
-      while (parse_turbulence_item(parser, warp)) {
+      parse_turbulence_item(parser, warp);
+      while (!parser.at(Word::turbulence) && parse_turbulence_item(parser, warp)) {
       }
       result = warp;
       break;

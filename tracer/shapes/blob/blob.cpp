@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 
+#include "tracer/scene/bounds.h"
 #include "tracer/bvh/bvh.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/blob/blob_packet.h"
@@ -304,6 +305,8 @@ Box3 blob_box(const scene::Blob& blob) {
   const PartList list = parts_of(blob);
   for (std::size_t i = 0; i < list.parts.size(); ++i)
     if (list.parts[i].k2 > 0) box.extendBy(list.reaches[i].pov_box);
+  // Numbers, not infinities: turned round by a transformation POV-Ray's empty box holds everything (spec 03 4.13).
+  if (box.isEmpty()) box.min = Vec3(2 * scene::kBoxLimit), box.max = Vec3(-2 * scene::kBoxLimit);
   return box;
 }
 

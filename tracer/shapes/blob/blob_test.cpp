@@ -62,6 +62,13 @@ double field(const scene::BlobComponent& c, const Vec3& p) {
 // Roots of rays that graze the surface are only as good as the closed form that POV-Ray takes.
 constexpr double kClosedForm = 1e-4;
 
+// An empty box that is turned round holds everything.
+TEST(Blob, BoxWithoutPositiveComponents) {
+  const std::vector<scene::BlobComponent> hole{ball(Vec3(0), 1, -0.5)};
+  expect_extent(blob(0.5, hole), Vec3(2e10), Vec3(-2e10));
+  expect_extent(blob(0.5, hole, [](Object& o) { scene::rotate(o, {30, 0, 0}); }), Vec3(-1e10), Vec3(1e10));
+}
+
 TEST(Blob, HitsLieOnTheSurface) {
   const std::vector<scene::BlobComponent> c{ball({-0.5, 0, 0}, 1, 1), ball({0.6, 0.1, 0}, 1.2, 0.8),
                                             capsule({0, -1, 0}, {0.3, 1, 0.2}, 0.6, 0.9), ball({0, 0, 0.3}, 0.5, -0.5)};

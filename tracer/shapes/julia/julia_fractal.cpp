@@ -102,7 +102,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
 
   bool contains(const Vec3& p) const { return plain_inside(local(p)); }
 
+  // Out of the fractal, inverted or not: whoever asks negates that of an inverted one (spec 04 8).
   Vec3 geometric_normal(const Hit& hit) const {
+    const Vec3 n = outward_normal(hit);
+    return inverted() ? -n : n;
+  }
+
+ private:
+  Vec3 outward_normal(const Hit& hit) const {
     if (hit.part != 0) return KeptNormal{hit.part, hit.u, hit.v}.direction();
     Orbit orbit(field_.iterations + 1);
     const int escaped = iterate(orbit, start(local(hit.point), !plain_));
@@ -112,7 +119,6 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return world_normal(n);
   }
 
- private:
   // A unit vector by its two smaller components; axis: that of the largest and its sign, 1 to 3; 0: none is kept.
   struct KeptNormal {
     int axis = 0;

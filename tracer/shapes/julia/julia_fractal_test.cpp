@@ -98,6 +98,19 @@ TEST(JuliaFractal, NormalsWhereTheIterationEscapesAreThoseOfTheSearch) {
   EXPECT_VEC_NEAR(hit->normal, Vec3(-0.1775066373451, -0.6324511057931, 0.7539873954381), 1e-10);
 }
 
+// trace() of POV-Ray.
+TEST(JuliaFractal, InvertedItsNormalsStillPointOutwards) {
+  scene::JuliaFractal f;
+  f.parameter = {-0.2, 0.3, 0, 0};
+  scene::Object inverted = object(f);
+  scene::invert(inverted);
+  const auto outside = trace(inverted, {0, 0, -4}, {0, 0, 1}), inside = trace(inverted, {0, 0, 0}, {0, 0, 1});
+  ASSERT_TRUE(outside && inside);
+  EXPECT_VEC_NEAR(outside->normal, Vec3(0, 0, -1), 1e-12);
+  EXPECT_VEC_NEAR(inside->point, Vec3(0, 0, 0.997409166882), 1e-12);
+  EXPECT_VEC_NEAR(inside->normal, Vec3(0, 0, 1), 1e-12);
+}
+
 // max_extent and inside() of POV-Ray.
 TEST(JuliaFractal, SubtractedItBoundsAndMovedItIsKept) {
   scene::JuliaFractal f;

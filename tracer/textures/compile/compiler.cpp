@@ -266,8 +266,12 @@ CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_
   if (d.normal_map && !d.normal_map->empty()) {
     c.positions = MapPositions(*d.normal_map);
     for (const auto& entry : *d.normal_map) c.children.push_back(normal(entry.value, c.no_bump_scale));
-    if (d.pattern.kind == scene::PatternKind::uv_mapping) {
+    if (d.pattern.kind == uv_mapping) {
       c.method = CompiledNormal::Method::uv_mapping;
+      return c;
+    }
+    if (d.pattern.kind == bump_map || d.pattern.kind == facets) {
+      c.method = CompiledNormal::Method::unusable;
       return c;
     }
     c.method =

@@ -1,4 +1,5 @@
 #include "tracer/textures/normals/normal.h"
+#include "tracer/textures/normals/unusable_normal.h"
 
 #include <iterator>
 
@@ -96,6 +97,7 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
     apply(*c.children[0], uv_point(surface), surface);
     return;
   }
+  if (c.method == unusable) return UnusableNormal::note();
   const Vec3 q = warped(*c.pattern, p);
   switch (c.method) {
     case displacement: {

@@ -14,6 +14,7 @@ struct CompiledNormal {
     map,           // normal_map or list
     average,
     uv_mapping,
+    unusable,
   };
   Method method = Method::height;
   const CompiledPattern* pattern = nullptr;

@@ -1,7 +1,7 @@
-// sin, cos, atan2 and ln of several numbers, with the bits of the C library. Each is computed as a sum hi + lo that is
-// much more precise than a double; where the library's own error could make it round to the other neighbour, the lane
-// is left to the library. So it does not matter that products are fused here. Included once for each target by kernels,
-// which use it on targets that fuse; without, this is no faster than the library.
+// sin, cos, atan2, ln and powers of several numbers, with the bits of the C library. Each is computed as a sum hi + lo
+// that is much more precise than a double; where the library's own error could make it round to the other neighbour,
+// the lane is left to the library. So it does not matter that products are fused here. Included once for each target by
+// kernels, which use it on targets that fuse; without, this is no faster than the library.
 #if defined(VERISIM_FUNCTIONS_LIBRARY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VERISIM_FUNCTIONS_LIBRARY_INL_H
 #undef VERISIM_FUNCTIONS_LIBRARY_INL_H
@@ -24,9 +24,9 @@ namespace HWY_NAMESPACE {
 using namespace simd::HWY_NAMESPACE;
 
 // The library's results are within 1/2 + this many units in the last place (the largest known error of glibc 2.28 and
-// later is 0.516 for sine and cosine and 0.524 for atan2, 0.519 for log; the sums here add less than 0.012, 0.002 and
-// 0.006).
-constexpr double kSineError = 0.03, kArcError = 0.03, kLogarithmError = 0.03;
+// later is 0.516 for sine and cosine and 0.524 for atan2, 0.519 for log, and 0.514 for the powers that are computed
+// here; the sums here add less than 0.012, 0.002, 0.006 and, for x^y, 0.001 + |y| / 2000).
+constexpr double kSineError = 0.03, kArcError = 0.03, kLogarithmError = 0.03, kPowerError = 0.02;
 
 // As many numbers as a register holds, so that all that is known of them stays in registers.
 constexpr int kPart = Packet::kLanes;
@@ -74,7 +74,7 @@ HWY_INLINE Two product_of(const Part& a, const Part& b) {
   return {p, multiply_subtract(a, b, p)};
 }
 // hi + lo rounded, and whether all numbers near it round to the same.
-HWY_INLINE PartMask rounds_surely(const Part& hi, const Part& lo, double error, Part& result) {
+HWY_INLINE PartMask rounds_surely(const Part& hi, const Part& lo, const Part& error, Part& result) {
   result = hi + lo;
   const Part power_of_two = number_of(bits_of(result) & PartInts(0x7ff0000000000000)),
              margin = power_of_two * (error * 0x1p-52);
@@ -154,11 +154,13 @@ HWY_INLINE unsigned arc(const Part& y, const Part& x, Part& angles) {
   return bits(Nearly ? ~usual : ~(usual & sure));
 }
 
-HWY_INLINE unsigned logarithm(const Part& given, Part& logarithms) {
+// Where logarithms are computed.
+HWY_INLINE PartMask usual(const Part& x) { return (x > 0x1p-1000) & (x < 0x1p1000); }
+
+// ln x to about 2^-65, or better where it is small; x is usual.
+HWY_INLINE Two logarithm_of(const Part& x) {
   constexpr double kLn2 = 0x1.62e42fefa3800p-1,
                    kLn2Low = 0x1.ef35793c76730p-45;  // the product of the first with an exponent is exact
-  const PartMask usual = (given > 0x1p-1000) & (given < 0x1p1000);
-  const Part x = select(usual, given, Part(1.0));
   // x = 2^e m with m from 11/16 to 11/8.
   const PartInts exponent = shift_right<52>(bits_of(x) - PartInts(0x3fe6000000000000)),
                  place = bits_of(x) - shift_left<52>(exponent);
@@ -179,10 +181,46 @@ HWY_INLINE unsigned logarithm(const Part& given, Part& logarithms) {
   const Two one_plus = sum_of(r, z * -0.5);
   const Part one_plus_lo = one_plus.lo + (cubic + multiply_add(square.lo, Part(-0.5), multiply_add(rl, -r, rl)));
   const Two known = sum_of(e * kLn2, entry(functions::kLogarithms, index)), sum = sum_of(known.hi, one_plus.hi);
-  const Part lo =
-      sum.lo + (known.lo + (multiply_add(e, Part(kLn2Low), entry(functions::kLogarithmsLow, index)) + one_plus_lo));
-  const PartMask sure = rounds_surely(sum.hi, lo, kLogarithmError, logarithms);
-  return bits(~(usual & sure));
+  return {sum.hi, sum.lo + (known.lo +
+                            (multiply_add(e, Part(kLn2Low), entry(functions::kLogarithmsLow, index)) + one_plus_lo))};
+}
+
+HWY_INLINE unsigned logarithm(const Part& given, Part& logarithms) {
+  const PartMask known = usual(given);
+  const Two sum = logarithm_of(select(known, given, Part(1.0)));
+  const PartMask sure = rounds_surely(sum.hi, sum.lo, kLogarithmError, logarithms);
+  return bits(~(known & sure));
+}
+
+// x^y where |y ln x| is below 64.
+HWY_INLINE unsigned power(const Part& given, const Part& y, Part& powers) {
+  // ln 2 / 16 in parts: products of the first with integers below 2^16 are exact.
+  constexpr double kPart1 = 0x1.62e42fefa0000p-5, kPart2 = 0x1.cf79abc9e3b3ap-44;
+  const Part x = select(usual(given), given, Part(1.0));
+  const Two logarithm = logarithm_of(x);
+  Two t = product_of(y, logarithm.hi);
+  const PartMask known = usual(given) & (abs(y) < 64.0) & (abs(t.hi) < 64.0);
+  t.hi = select(known, t.hi, Part(0.0)), t.lo = select(known, multiply_add(y, logarithm.lo, t.lo), Part(0.0));
+  const Part shifted = t.hi * 0x1.71547652b82fep+4 + kRound, n = shifted - kRound;
+  const PartInts turn = bits_of(shifted) - bits_of(Part(kRound));
+  // e^t = 2^(n / 16) e^r; the first difference is exact.
+  const Two r = any_sum_of(t.hi - n * kPart1, t.lo - n * kPart2);
+  const auto pair = [&](double low, double high)
+                        VERISIM_INLINE_LAMBDA { return multiply_add(Part(high), r.hi, Part(low)); };
+  const Part z = r.hi * r.hi;
+  const Part rest =
+      multiply_add(multiply_add(multiply_add(pair(1.0 / 5040, 1.0 / 40320), z, pair(1.0 / 120, 1.0 / 720)), z,
+                                pair(1.0 / 6, 1.0 / 24)),
+                   z * r.hi, multiply_add(z, Part(0.5), r.lo));
+  // s e^r = s + (s r + ...), s from the table.
+  const Part s = entry(functions::kPowersOf2, turn), s_lo = entry(functions::kPowersOf2Low, turn);
+  const Two linear = product_of(s, r.hi), sum = sum_of(s, linear.hi);
+  Part result;
+  const PartMask sure =
+      rounds_surely(sum.hi, sum.lo + (linear.lo + multiply_add(s, rest, multiply_add(s_lo, r.hi, s_lo))),
+                    kPowerError + abs(y) * (1.0 / 1024), result);
+  powers = number_of(bits_of(result) + shift_left<52>(shift_right<4>(turn)));
+  return bits(~(known & sure));
 }
 
 }  // namespace HWY_NAMESPACE

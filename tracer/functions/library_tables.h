@@ -79,6 +79,17 @@ alignas(64) inline constexpr double kLogarithmsLow[16] = {
     0x1.355519b0de535p-57, -0x1.1e99b72bd7bf2p-57, 0x1.acd8a9145ff44p-57, -0x1.152d81af5713ap-56,
     -0x1.b8ce2d07f1cb7p-56, 0x1.3f3adb7b71cbcp-58, -0x1.6dcd318f4187ep-57, -0x1.bea08d2dca256p-57,
     -0x1.401fa71733017p-58, -0x1.da7d0b1e10b2fp-60, 0x1.2ba0b44cfaee5p-59, 0};
+// 2^(k / 16) as sums of two numbers.
+alignas(64) inline constexpr double kPowersOf2[16] = {
+    1, 0x1.0b5586cf9890fp+0, 0x1.172b83c7d517bp+0, 0x1.2387a6e756238p+0,
+    0x1.306fe0a31b715p+0, 0x1.3dea64c123422p+0, 0x1.4bfdad5362a27p+0, 0x1.5ab07dd485429p+0,
+    0x1.6a09e667f3bcdp+0, 0x1.7a11473eb0187p+0, 0x1.8ace5422aa0dbp+0, 0x1.9c49182a3f090p+0,
+    0x1.ae89f995ad3adp+0, 0x1.c199bdd85529cp+0, 0x1.d5818dcfba487p+0, 0x1.ea4afa2a490dap+0};
+alignas(64) inline constexpr double kPowersOf2Low[16] = {
+    0, 0x1.8a62e4adc610bp-54, -0x1.19041b9d78a76p-55, 0x1.9b07eb6c70573p-54,
+    0x1.6f46ad23182e4p-55, 0x1.ada0911f09ebcp-55, 0x1.d4397afec42e2p-56, 0x1.6324c054647adp-54,
+    -0x1.bdd3413b26456p-54, -0x1.41577ee04992fp-55, 0x1.6e9f156864b27p-54, 0x1.c7c46b071f2bep-56,
+    0x1.7a1cd345dcc81p-54, 0x1.11065895048ddp-55, 0x1.2ed02d75b3707p-55, -0x1.e9c23179c2893p-54};
 
 }  // namespace verisim::functions
 // clang-format on

@@ -43,7 +43,7 @@ HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_
   } else if constexpr (Nearly && (C == Code::sin || C == Code::cos)) {
     store(to, approximate_sine<C == Code::cos>(load(a)));
 #if HWY_NATIVE_FMA
-  } else if constexpr (C == Code::sin || C == Code::cos || C == Code::atan2 || C == Code::ln) {
+  } else if constexpr (C == Code::sin || C == Code::cos || C == Code::atan2 || C == Code::ln || C == Code::pow) {
     for (int n = 0; n < kLanes; n += kPart) {
       const Part first = Part::load(a + n), second = Part::load(b + n);
       Part result;
@@ -52,6 +52,8 @@ HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_
         unsure = arc<Nearly>(first, second, result);
       else if constexpr (C == Code::ln)
         unsure = logarithm(first, result);
+      else if constexpr (C == Code::pow)
+        unsure = power(first, second, result);
       else
         unsure = sine<C == Code::cos>(first, result);
       store(to + n, result);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tracer/functions/operations.h"
+#include "tracer/functions/sine_kernels.h"
 #include "tracer/simd/instruction_sets.h"
 
 namespace verisim::functions {
@@ -30,6 +31,51 @@ std::vector<double> arguments(std::mt19937_64& random) {
   for (int n = 0; n < 4000; ++n) all.push_back(1 + 0.01 * unit(random));
   for (int n = 0; n < 4000; ++n) all.push_back(std::exp2(1000 * unit(random)));
   return all;
+}
+
+TEST(SineKernels, HaveTheBitsOfTheLibrary) {
+  std::mt19937_64 random(5);
+  const std::vector<double> angles = arguments(random);
+  for (int set = 0; set < simd::kInstructionSets; ++set) {
+    const SineKernels* const kernels = sine_kernels(set);
+    if (!kernels) continue;
+    for (const std::size_t count : {angles.size(), std::size_t{1}, std::size_t{13}}) {
+      std::vector<double> sines(count), cosines(count);
+      kernels->sines_and_cosines(angles.data(), static_cast<int>(count), sines.data(), cosines.data());
+      for (std::size_t k = 0; k < count; ++k) {
+        const double sine = std::sin(angles[k]), cosine = std::cos(angles[k]);
+        ASSERT_TRUE(std::bit_cast<std::uint64_t>(sines[k]) == std::bit_cast<std::uint64_t>(sine) || std::isnan(sine));
+        ASSERT_TRUE(std::bit_cast<std::uint64_t>(cosines[k]) == std::bit_cast<std::uint64_t>(cosine) ||
+                    std::isnan(cosine));
+      }
+    }
+  }
+}
+
+// Powers as shapes and functions ask for them: of many sizes, and near 1.
+TEST(ProgramPacket, PowersHaveTheBitsOfTheLibrary) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const Instruction instruction{Code::pow, 1, 0, 1, 0, 0};
+  alignas(64) double registers[3 * kWidth];
+  for (int set = 0; set < simd::kInstructionSets; ++set) {
+    const ProgramKernels* const kernels = packet_kernels(set);
+    if (!kernels) continue;
+    for (int n = 0; n < 100000; ++n) {
+      const double most = std::exp2(8 * unit(random) - 2);
+      double x[kWidth], y[kWidth];
+      for (std::size_t k = 0; k < kWidth; ++k) {
+        y[k] = most * (unit(random) - 0.25);
+        x[k] = n % 3 == 0   ? unit(random)
+               : n % 3 == 1 ? 1 + unit(random) * std::exp2(-50 * unit(random))
+                            : std::exp(60 * unit(random) - 30);
+      }
+      std::copy_n(x, kWidth, registers), std::copy_n(y, kWidth, registers + kWidth);
+      kernels->narrow({&instruction, 1}, {}, registers, 255);
+      for (std::size_t k = 0; k < kWidth; ++k)
+        ASSERT_EQ(registers[kWidth + k], std::pow(x[k], y[k])) << "set " << set << ": " << x[k] << ", " << y[k];
+    }
+  }
 }
 
 TEST(ProgramPacket, OperationsGiveTheSameBitsInPacket) {

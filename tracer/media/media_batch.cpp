@@ -13,7 +13,6 @@ namespace verisim::global {
 namespace {
 
 using shading::ContainerInterval;
-using shading::LightWay;
 
 constexpr std::size_t kMax = MediaPacket::kMax;
 static_assert(kMax <= textures::PointBatch::kMax && kMax <= shading::ShadowBatch::kMax);
@@ -61,6 +60,7 @@ struct MediaBatch::Workspace {
   double distances[kMax];
   textures::RgbBatch extinction, emission, scattering, source;
   MediaPacket packet;
+  shading::ShadowBatch shadows;
   std::size_t question[kMax];  // of each lane
 
   const Ray& ray(std::uint32_t interval) const { return subintervals[intervals[interval].ray].ray; }
@@ -293,14 +293,18 @@ void MediaBatch::add_light(std::size_t number, std::span<const Question> questio
     ++bright;
   }
   if (bright == 0) return;
-  shading::LightWays ways;
-  tracer_.look_for_light(light, common_, packet.to_light, packet.distance, bright, ways.data());
-  for (int k = 0; k < bright; ++k) {
-    if (ways[static_cast<std::size_t>(k)] == LightWay::blocked) packet.arriving.set(k, Rgb());
-    if (ways[static_cast<std::size_t>(k)] == LightWay::unknown)
-      packet.arriving.set(k, light_alone(light, k, workspace_.intervals[questions[workspace_.question[k]].interval].ray,
-                                         packet.arriving.at(k)));
-  }
+  shading::ShadowBatch& batch = workspace_.shadows;
+  batch.count = 0;
+  const auto ray_of = [&](int k) {
+    return workspace_.intervals[questions[workspace_.question[static_cast<std::size_t>(k)]].interval].ray;
+  };
+  for (int k = 0; k < bright; ++k)
+    batch.add(packet.to_light.at(k), packet.distance[k], packet.arriving.at(k), nullptr,
+              workspace_.subintervals[ray_of(k)].key);
+  bool known[shading::ShadowBatch::kMax];
+  tracer_.look_for_light(light, common_, batch, known);
+  for (int k = 0; k < bright; ++k)
+    packet.arriving.set(k, known[k] ? batch.light[k] : light_alone(light, k, ray_of(k), packet.arriving.at(k)));
   mixture_.scatter(bright, packet);
   for (int k = 0; k < bright; ++k) {
     if (!(packet.arriving.at(k).max_abs() > 0.0f)) continue;

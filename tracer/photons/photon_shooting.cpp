@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/functions/sine_kernels.h"
 #include "tracer/math/constants.h"
 #include "tracer/world/frame_list.h"
 #include "tracer/film/errors.h"
@@ -39,15 +40,43 @@ void collect_targets(const scene::Object& object, std::vector<const scene::Objec
   }
 }
 
+// Of an angle.
+struct Turn {
+  double sine, cosine;
+};
+
 // v turned about a unit axis, rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in
 // its map hangs on the last bit.
-Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle), x = axis.x, y = axis.y, z = axis.z;
+Vec3 rotate(const Vec3& v, const Vec3& axis, const Turn& turn) {
+  const double c = turn.cosine, s = turn.sine, x = axis.x, y = axis.y, z = axis.z;
   const Vec3 row[3] = {{x * x + c * (1 - x * x), x * y * (1 - c) + z * s, x * z * (1 - c) - y * s},
                        {x * y * (1 - c) - z * s, y * y + c * (1 - y * y), y * z * (1 - c) + x * s},
                        {x * z * (1 - c) + y * s, y * z * (1 - c) - x * s, z * z + c * (1 - z * z)}};
   return v.x * row[0] + v.y * row[1] + v.z * row[2];
 }
+
+// Angles of photons, whose sines and cosines are computed together.
+class Turns {
+ public:
+  bool full() const { return count_ == kMax; }
+  int count() const { return count_; }
+  // Around the line to the target, and away from it.
+  void add(double phi, double theta) { phi_[count_] = phi, theta_[count_++] = theta; }
+  void clear() { count_ = 0; }
+  void compute() {
+    const auto& kernels = functions::sine_kernels();
+    kernels.sines_and_cosines(phi_, count_, phi_sine_, phi_cosine_);
+    kernels.sines_and_cosines(theta_, count_, theta_sine_, theta_cosine_);
+  }
+  double away(int k) const { return theta_[k]; }
+  Turn turn(int k) const { return {phi_sine_[k], phi_cosine_[k]}; }
+  Turn turn_away(int k) const { return {theta_sine_[k], theta_cosine_[k]}; }
+
+ private:
+  static constexpr int kMax = 64;
+  int count_ = 0;
+  double phi_[kMax], theta_[kMax], phi_sine_[kMax], phi_cosine_[kMax], theta_sine_[kMax], theta_cosine_[kMax];
+};
 
 // How photons leave one point of a light: unit vectors towards the target and to the left of it.
 struct Aim {
@@ -63,12 +92,20 @@ Aim aim(const PhotonPair& pair, const Vec3& origin) {
   return f;
 }
 
+// Of the k-th photon.
+Ray start_of(const PhotonPair& pair, const Aim& aim, const Turns& turns, int k) {
+  if (pair.light->parallel) {
+    const double back = dot(pair.center - aim.origin, aim.towards);
+    return {pair.center - back * aim.towards + rotate(aim.left * turns.away(k), aim.towards, turns.turn(k)),
+            aim.towards};
+  }
+  const Turn away = turns.turn_away(k);
+  return {aim.origin, rotate(aim.towards * away.cosine - aim.left * away.sine, aim.towards, turns.turn(k))};
+}
+
 }  // namespace
 
-double RandomTable::next() {
-  index_ = (index_ + 1) % shading::mersenne_table().size();
-  return shading::mersenne_table()[index_];
-}
+RandomTable::RandomTable() : numbers_(shading::mersenne_table()) {}
 
 std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, bool split_unions) {
   std::vector<const scene::LightSource*> lights;
@@ -143,6 +180,7 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
   if (limit / step > kMaxPerRing)
     throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 rings of photons");
   std::vector<PhotonStart> batch;
+  Turns turns;
   bool hit_before = false;
   for (double theta = 0.0; theta < limit; theta += step) {
     const double around = theta < kEpsilon ? 2.0 * kPi : step / (light.parallel ? theta : std::sin(theta));
@@ -152,25 +190,21 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
           "photons { }: the spacing is too fine for this target: more than 1e9 photons in a ring");
     const double done = theta / limit * (theta / limit);  // rings grow with their radius
     bool hit = false;
+    const auto start_all = [&] {
+      turns.compute();
+      for (int k = 0; k < turns.count(); ++k) {
+        for (const Aim& f : aims) batch.push_back({start_of(pair, f, turns, k), share});
+        if (batch.size() >= kMaxBatch) hit |= trace(batch, sigma, done), batch.clear();
+      }
+      turns.clear();
+    };
     batch.clear();
     for (double phi = first; phi < first + 2.0 * kPi - around / 2.0; phi += around) {
       const double phi2 = phi + around * (random.next() - 0.5) * settings.jitter;
-      const double theta2 = theta + step * (random.next() - 0.5) * settings.jitter;
-      for (const Aim& f : aims) {
-        PhotonStart start;
-        start.energy = share;
-        if (light.parallel) {
-          const double back = dot(pair.center - f.origin, f.towards);
-          start.ray.origin = pair.center - back * f.towards + rotate(f.left * theta2, f.towards, phi2);
-          start.ray.direction = f.towards;
-        } else {
-          start.ray.origin = f.origin;
-          start.ray.direction = rotate(f.towards * std::cos(theta2) - f.left * std::sin(theta2), f.towards, phi2);
-        }
-        batch.push_back(start);
-      }
-      if (batch.size() >= kMaxBatch) hit |= trace(batch, sigma, done), batch.clear();
+      turns.add(phi2, theta + step * (random.next() - 0.5) * settings.jitter);
+      if (turns.full()) start_all();
     }
+    start_all();
     hit |= trace(batch, sigma, done);
     if (hit_before && !hit && theta > settings.autostop * limit) break;
     hit_before |= hit;

@@ -14,9 +14,14 @@ namespace verisim::global {
 // section 1).
 class RandomTable {
  public:
-  double next();
+  RandomTable();
+  double next() {
+    index_ = (index_ + 1) % numbers_.size();
+    return numbers_[index_];
+  }
 
  private:
+  std::span<const double> numbers_;
   std::size_t index_ = 0;
 };
 

@@ -13,7 +13,8 @@ using shading::PhotonShot;
 using shading::StoredPhoton;
 
 constexpr std::size_t kSmallRing = 64;  // not worth handing to threads
-constexpr std::size_t kRingGrain = 16;
+// Photons of a ring that look for their first surface together; what a thread is handed.
+constexpr std::size_t kTogether = 2 * RayPacket::kCount;
 
 void collect_primitives(const scene::Object& object, std::unordered_set<const scene::Object*>& out) {
   out.insert(&object);
@@ -73,18 +74,19 @@ class Shooter {
   bool trace_ring(std::span<const global::PhotonStart> ring, const PhotonShot& shot, const shading::Light& light) {
     results_.resize(std::max(results_.size(), ring.size()));
     std::atomic<bool> hit{false};
-    const auto trace = [&](std::size_t i) {
+    const auto trace = [&](std::size_t part) {
       const EvaluationWatch watch(options_.cancel);
-      results_[i].clear();
-      Gun& gun = guns_.local();
-      if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + i), 0.5, 0);
-      if (trace_one(gun, ring[i], shot, light, results_[i])) hit.store(true, std::memory_order_relaxed);
+      const std::size_t first = part * kTogether;
+      if (trace_together(guns_.local(), ring.subspan(first, std::min(kTogether, ring.size() - first)), first, shot,
+                         light))
+        hit.store(true, std::memory_order_relaxed);
       watch.check();
     };
+    const std::size_t parts = (ring.size() + kTogether - 1) / kTogether;
     if (options_.replay || threads_ == 1 || ring.size() < kSmallRing) {
-      for (std::size_t i = 0; i < ring.size(); ++i) trace(i);
+      for (std::size_t part = 0; part < parts; ++part) trace(part);
     } else {
-      parallel_for(ring.size(), kRingGrain, trace);
+      parallel_for(parts, 1, trace);
     }
     shot_count_ += ring.size();
     for (Gun& gun : guns_) count_rays(options_, std::exchange(gun.tracer.statistics(), {}));
@@ -94,11 +96,39 @@ class Shooter {
     return hit.load();
   }
 
-  bool trace_one(Gun& gun, const global::PhotonStart& start, const PhotonShot& shot, const shading::Light& light,
-                 std::vector<StoredPhoton>& stored) {
-    Ray ray = start.ray;
-    // The packet carries what the light sends this way; fading is part of what is stored.
-    Rgb color = light.color() * start.energy * static_cast<float>(light.emission(ray.origin, ray.direction));
+  // At most kTogether photons, the first of which is the number `first` of the ring. Most of them go the same way
+  // until they meet something, and many meet nothing.
+  bool trace_together(Gun& gun, std::span<const global::PhotonStart> starts, std::size_t first, const PhotonShot& shot,
+                      const shading::Light& light) {
+    RayBatch rays;
+    Rgb colors[kTogether];
+    std::size_t index[kTogether];
+    int count = 0;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      results_[first + i].clear();
+      Ray ray = starts[i].ray;
+      if (!leaves(starts[i], light, ray, colors[count])) continue;
+      rays.origin.set(count, ray.origin), rays.direction.set(count, ray.direction);
+      index[count++] = first + i;
+    }
+    shapes::Hit hits[kTogether];
+    bool found[kTogether];
+    data_.world.intersect_batch(rays, 0, count, shapes::RayKind::photon, shading::PhotonWalk::kNearestHit, nullptr,
+                                hits, found);
+    bool hit_target = false;
+    for (int k = 0; k < count; ++k) {
+      if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + index[k]), 0.5, 0);
+      const Ray ray = rays.at(k);
+      const auto around = found[k] ? gun.around(data_, ray.origin) : std::span<const scene::Interior* const>();
+      hit_target |= shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr)
+                        .run(ray, found[k] ? &hits[k] : nullptr, around, colors[k], results_[index[k]]);
+    }
+    return hit_target;
+  }
+
+  // The packet carries what the light sends this way; fading is part of what is stored. False: nothing.
+  static bool leaves(const global::PhotonStart& start, const shading::Light& light, Ray& ray, Rgb& color) {
+    color = light.color() * start.energy * static_cast<float>(light.emission(ray.origin, ray.direction));
     if (color.max_abs() < 1e-5f) return false;
     if (const shapes::Shape* projector = light.projector()) {
       shapes::HitList hits;
@@ -108,8 +138,7 @@ class Shooter {
       if (hits.empty()) return false;
       ray.origin = ray.at(farthest);
     }
-    return shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr)
-        .run(ray, gun.around(data_, ray.origin), color, stored);
+    return true;
   }
 
   void store(const StoredPhoton& s) {

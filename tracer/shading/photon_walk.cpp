@@ -24,8 +24,8 @@ double PhotonShot::area_factor(double path) const {
   return factor;
 }
 
-bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color,
-                     std::vector<StoredPhoton>& stored) {
+bool PhotonWalk::run(const Ray& start, const shapes::Hit* first, std::span<const scene::Interior* const> around,
+                     const Rgb& color, std::vector<StoredPhoton>& stored) {
   stored_ = &stored;
   hit_target_ = false;
   const Tracer::InteriorScope scope(tracer_);
@@ -34,19 +34,28 @@ bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> a
   packet.ray.interiors = tracer_.copied(around);
   packet.ray.hollow = tracer_.all_hollow(packet.ray.interiors);
   packet.color = color;
-  follow(packet);
+  if (goes_on(packet) && first) meet(packet, *first);
   return hit_target_;
 }
 
-void PhotonWalk::follow(Packet packet) {
+bool PhotonWalk::goes_on(const Packet& packet) {
   if (packet.ray.level >= shot_.max_trace_level || packet.ray.weight < shot_.adc_bailout ||
       nesting_ >= kMaxPhotonNesting)
-    return;
+    return false;
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   ++(packet.ray.reflected ? tracer_.statistics_.reflected_rays : tracer_.statistics_.refracted_rays);
+  return true;
+}
+
+void PhotonWalk::follow(const Packet& packet) {
+  if (!goes_on(packet)) return;
   shapes::Hit hit;
   const auto kind = packet.ray.reflected ? shapes::RayKind::reflected : shapes::RayKind::photon;
-  if (!tracer_.scene_.world.intersect(packet.ray.ray, kind, 1e-4, std::numeric_limits<double>::infinity(), hit)) return;
+  if (tracer_.scene_.world.intersect(packet.ray.ray, kind, kNearestHit, std::numeric_limits<double>::infinity(), hit))
+    meet(packet, hit);
+}
+
+void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
   const shapes::Surface& surface = *hit.shape->surface;
   const bool first_segment = packet.path == 0;
   if (media_ && packet.ray.hollow)

@@ -40,10 +40,12 @@ class PhotonWalk {
  public:
   PhotonWalk(Tracer& tracer, const PhotonShot& shot, const PhotonMedia* media)
       : tracer_(tracer), shot_(shot), media_(media) {}
-  // Follows a packet of this colour; `around`: the interiors where it starts. Appends to `stored`. Returns whether it
-  // hit the target.
-  bool run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color,
+  // Follows a packet of this colour; `first`: what it meets first, or null; `around`: the interiors where it starts.
+  // Appends to `stored`. Returns whether it hit the target.
+  bool run(const Ray& start, const shapes::Hit* first, std::span<const scene::Interior* const> around, const Rgb& color,
            std::vector<StoredPhoton>& stored);
+  // How near to its start a photon meets nothing.
+  static constexpr double kNearestHit = 1e-4;
 
  private:
   struct Packet {
@@ -64,7 +66,10 @@ class PhotonWalk {
     float share, weight;
   };
 
-  void follow(Packet packet);
+  // Whether it goes on at all: if so, it is counted.
+  bool goes_on(const Packet& packet);
+  void follow(const Packet& packet);
+  void meet(Packet packet, const shapes::Hit& hit);
   void scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
                const Tracer::Frame* frame, float share, bool refracts, bool reflects);
   void scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,

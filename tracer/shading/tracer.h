@@ -27,8 +27,6 @@ inline constexpr double kNearestHit = 1e-4;  // of camera, reflected and transmi
 struct Cancelled {};
 
 struct ShadowBatch;
-struct ShadowRays;
-enum class LightWay : unsigned char;
 
 // One hit while it is being shaded.
 struct SurfaceHit {
@@ -109,11 +107,9 @@ class Tracer {
 
   // Filters the light of all rays of a batch; `eye`: the ray that asks, but for its own way and weight.
   void cast_shadows(const Light& light, const RayState& eye, ShadowBatch& batch);
-  // Whether anything is in the way of shadow rays, `rays` with the distances of the light, as far as that may be known
-  // without filtering any light and drawing any number: where nothing but opaque objects can be met. The others stay
-  // unknown.
-  void look_for_light(const Light& light, const RayState& eye, const RayBatch& rays, const double* distance, int count,
-                      LightWay* ways);
+  // The same for places in space, as far as rays may go side by side and no number is drawn that counts: the others are
+  // not known.
+  void look_for_light(const Light& light, const RayState& eye, ShadowBatch& batch, bool* known);
 
   const SceneData& scene() const { return scene_; }
   RandomSource& random() { return random_; }
@@ -254,7 +250,7 @@ class Tracer {
   // ---- shadow_batch.cpp
   bool rays_alone(const Light& light, const RayState& eye) const;
   template <class Opaque, class Mixed>
-  void by_cells(const Light& light, const RayState& eye, const ShadowRays& batch, Opaque&& opaque, Mixed&& mixed);
+  void by_cells(const Light& light, const RayState& eye, const ShadowBatch& batch, Opaque&& opaque, Mixed&& mixed);
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
                   ShadowBatch& batch);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);

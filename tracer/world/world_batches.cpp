@@ -134,12 +134,13 @@ class World::BatchSearch {
       if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape, index);
     }
   }
-  // What else is beside the tree costs more, so it is asked when most rays have hit something.
-  void test_unbounded() {
+  // What else is beside the tree, as far as rays begin outside it or not: from outside it is met before what the tree
+  // holds, from within behind most of that.
+  void test_unbounded(bool outside) {
     for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
       const std::uint32_t index = w_.unbounded[i];
       const Entry& e = w_.entries[index];
-      if (w_.planes[i] || (e.hidden & mask_)) continue;
+      if (w_.planes[i] || (e.hidden & mask_) || contains(e.box, rays_.at(0).origin) == outside) continue;
       unsigned lanes = 0;
       each_lane(rays_.active, [&](int k) { lanes |= e.may_meet(rays_.at(k), t_min_, limit_[k]) ? 1u << k : 0; });
       if (lanes != 0) test(*e.shape, index, nullptr, lanes);
@@ -235,11 +236,12 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
     }
     BatchSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, t_max ? t_max + start : nullptr, hits + start);
     search.test_planes();
+    search.test_unbounded(true);
     if (!all_known)
       search.walk_tree(entry);
     else if (entry)
       search.test_boxes(*entry);
-    search.test_unbounded();
+    search.test_unbounded(false);
     search.test_around();
     each_lane(search.coincident(), [&](int k) {
       const double far = t_max ? t_max[start + k] : std::numeric_limits<double>::infinity();

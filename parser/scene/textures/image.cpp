@@ -1,5 +1,6 @@
 // Images in image_map, image_pattern, bump_map, material_map and height_field: files and function fields (spec 05
 // section 12, 04 section 5, 02 section 5).
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -154,15 +155,21 @@ ImagePtr function_image(Parser& parser) {
   };
   functions::EvaluationBudget::take_overrun(), textures::MissingSurface::take();  // of what was parsed before
   auto* sample = image->samples.as<std::uint16_t>();
+  constexpr std::size_t kTogether = 256;
+  double points[3 * kTogether] = {}, values[kMaxFunctionComponents * kTogether];
+  const auto width = static_cast<std::size_t>(image->width);
   for (int row = 0; row < image->height; ++row) {
     if (parser.options().cancelled && parser.options().cancelled()) parser.error(Code::time_limit, "Cancelled.");
-    for (int column = 0; column < image->width; ++column) {
-      const double at[3] = {column * sx, row * sy, 0};
-      double value[kMaxFunctionComponents] = {};
-      function->evaluate(at, value);
-      *sample++ = sixteen(value[0]);
-      if (!colors) continue;
-      for (const int component : {1, 2, 4}) *sample++ = sixteen(value[component]);
+    std::fill_n(points + kTogether, kTogether, row * sy);
+    for (std::size_t begin = 0; begin < width; begin += kTogether) {
+      const std::size_t n = std::min(kTogether, width - begin);
+      for (std::size_t k = 0; k < n; ++k) points[k] = static_cast<double>(begin + k) * sx;
+      function->evaluate_batch(points, kTogether, n, values);
+      for (std::size_t k = 0; k < n; ++k) {
+        *sample++ = sixteen(values[k]);
+        if (!colors) continue;
+        for (const std::size_t component : {1, 2, 4}) *sample++ = sixteen(values[component * kTogether + k]);
+      }
     }
     check_pixels(parser);
   }

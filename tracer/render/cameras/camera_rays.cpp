@@ -40,6 +40,14 @@ void CameraRays::window_directions(const Vec2* places, int count, shading::Wavef
   shading::wavefront_kernels().directions({width_, height_, direction_, right_, up_}, moved.data(), count, packet);
 }
 
+std::optional<LensCamera> CameraRays::perspective() const {
+  if (kind_ != scene::CameraKind::perspective) return std::nullopt;
+  LensCamera camera{};
+  camera.width = width_, camera.height = height_, camera.left = left_, camera.top = top_;
+  camera.location = location_, camera.direction = direction_, camera.right = right_, camera.up = up_;
+  return camera;
+}
+
 std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
   using Kind = scene::CameraKind;
   // In this form: the last bits decide where a pattern's seam lies in a surface (measured: the sign of y on a plane y =

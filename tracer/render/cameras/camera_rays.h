@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "tracer/render/cameras/lens_kernels.h"
 #include "tracer/scene/camera.h"
 #include "tracer/shading/wavefront/wavefront_kernels.h"
 #include "tracer/textures/texture.h"
@@ -34,6 +35,8 @@ class CameraRays {
     if (left_ != 0 || top_ != 0) return window_directions(places, count, packet);
     shading::wavefront_kernels().directions({width_, height_, direction_, right_, up_}, places, count, packet);
   }
+  // The parts of a perspective camera; empty: it is another one.
+  std::optional<LensCamera> perspective() const;
   // Rays start at different points, so the objects around the origin must be looked up for each (spec 02 section 1.8).
   bool origin_varies() const { return origin_varies_; }
 

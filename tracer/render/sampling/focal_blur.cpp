@@ -6,6 +6,7 @@
 
 #include "tracer/math/chi_square.h"
 #include "tracer/math/constants.h"
+#include "tracer/render/cameras/lens_kernels.h"
 #include "tracer/render/sampling/jitter.h"
 
 namespace verisim::render {
@@ -167,18 +168,41 @@ const PlacesInPixel& places_in_pixel() {
 
 }  // namespace
 
-std::optional<PrimaryRay> FocalBlur::ray(const CameraRays& camera, double x, double y, int n) const {
+FocalBlur::Points FocalBlur::points(double x, double y, int n) const {
   const auto& p = permutation();
   const std::int64_t seed = static_cast<std::int64_t>(313 * x + 11) + static_cast<std::int64_t>(311 * y + 17);
   const Vec2 d = places_in_pixel()[p[(seed + n) & 4095] % 16][p[(seed + n + 1) & 4095] % 16];
-  std::optional<PrimaryRay> primary = camera.at(x + d.x, y + d.y);
-  if (!primary) return std::nullopt;
   const Vec2 f = jitter2(x + d.x + 0.5, y + d.y - 0.5);
-  const Vec2 lens = (positions_[n] + f * (2 * lens_jitter_)) * (aperture_ / 2);
-  const Vec3 q = lens.x * lens_x_ - lens.y * lens_y_;
+  return {{x + d.x, y + d.y}, (positions_[n] + f * (2 * lens_jitter_)) * (aperture_ / 2)};
+}
+
+std::optional<PrimaryRay> FocalBlur::ray(const CameraRays& camera, double x, double y, int n) const {
+  const Points at = points(x, y, n);
+  std::optional<PrimaryRay> primary = camera.at(at.picture.x, at.picture.y);
+  if (!primary) return std::nullopt;
+  const Vec3 q = at.lens.x * lens_x_ - at.lens.y * lens_y_;
   // Twice, as POV-Ray does: walls of prisms in other surfaces show the last bit (spec 08 B).
   primary->ray = {location_ + q, normalize(normalize(primary->ray.direction * focal_scale_ - q))};
   return primary;
+}
+
+void FocalBlur::rays(const CameraRays& camera, const Vec2* places, const std::uint32_t* numbers, int count,
+                     RayBatch& rays) const {
+  std::optional<LensCamera> lens = camera.perspective();
+  if (!lens) {
+    for (int i = 0; i < count; ++i) {
+      const Ray ray = this->ray(camera, places[i].x, places[i].y, static_cast<int>(numbers[i]))->ray;
+      rays.origin.set(i, ray.origin), rays.direction.set(i, ray.direction);
+    }
+    return;
+  }
+  lens->focal_scale = focal_scale_, lens->across = lens_x_, lens->along = lens_y_;
+  LensPoints points;
+  for (int i = 0; i < count; ++i) {
+    const Points at = this->points(places[i].x, places[i].y, static_cast<int>(numbers[i]));
+    points.x[i] = at.picture.x, points.y[i] = at.picture.y, points.across[i] = at.lens.x, points.along[i] = at.lens.y;
+  }
+  lens_kernels().aim(*lens, points, count, rays);
 }
 
 void FocalBlur::Average::add(const std::optional<Color>& seen) {

@@ -17,6 +17,9 @@ class FocalBlur {
 
   // The n-th lens ray of the pixel sample at (x, y); its direction is unit. Empty where the camera has no ray.
   std::optional<PrimaryRay> ray(const CameraRays& camera, double x, double y, int n) const;
+  // The same of lens rays numbers[i] of the samples at places[i], for cameras that have them all.
+  void rays(const CameraRays& camera, const Vec2* places, const std::uint32_t* numbers, int count,
+            RayBatch& rays) const;
 
   // What is known of a pixel sample: its lens rays are added in order, group by group, until the statistical test is
   // satisfied.
@@ -55,6 +58,11 @@ class FocalBlur {
     int end;          // number of rays after this group
     float threshold;  // of the variance of the mean
   };
+  // Where a lens ray goes through the picture, and through the lens.
+  struct Points {
+    Vec2 picture, lens;
+  };
+  Points points(double x, double y, int n) const;
   void place_without_bokeh(int count);
   void place_by_bokeh(int count, const Weight& weight);
   void make_groups(const scene::Camera& camera, const std::vector<int>& sizes);

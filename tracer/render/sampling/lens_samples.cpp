@@ -40,20 +40,18 @@ void PixelSampler::lens_points(int count, Color* colors) {
 }
 
 void PixelSampler::lens_wavefront(std::span<const LensRay> rays) {
-  RayBatch& row = wavefront_.packet().rays;
   const accel::WorldEntry* entries[shading::Wavefront::kMax];
-  bool together = true;
-  for (std::size_t k = 0; k < rays.size() && together; ++k) {
-    const int lane = static_cast<int>(k);
-    const Vec2 place = lens_.places[rays[k].sample];
-    const Ray ray = camera_.blur->ray(camera_.rays, place.x, place.y, rays[k].number)->ray;
-    row.origin.set(lane, ray.origin), row.direction.set(lane, ray.direction);
-    wavefront_.places()[k] = place, wavefront_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    wavefront_.places()[k] = lens_.places[rays[k].sample];
+    wavefront_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
     entries[k] = lens_.entries[rays[k].sample];
-    together = starts_like_the_first(lane);
   }
+  const auto count = static_cast<int>(rays.size());
+  camera_.blur->rays(camera_.rays, wavefront_.places(), wavefront_.numbers(), count, wavefront_.packet().rays);
+  bool together = true;
+  for (int k = 0; k < count && together; ++k) together = starts_like_the_first(k);
   Color seen[shading::Wavefront::kMax];
-  if (together) wavefront_.trace(static_cast<int>(rays.size()), entries, seen);
+  if (together) wavefront_.trace(count, entries, seen);
   for (std::size_t k = 0; k < rays.size(); ++k)
     lens_.averages[static_cast<std::size_t>(rays[k].sample)].add(
         together ? std::optional(seen[k]) : lens_ray(lens_.places[rays[k].sample], rays[k].number));

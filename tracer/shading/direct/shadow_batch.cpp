@@ -53,6 +53,15 @@ struct Travellers {
   }
 };
 
+// Takes the light of rays that meet something, where all that they may meet is opaque.
+void block(const accel::World& world, double tolerance, const Travellers& cell, accel::WorldEntry* entry,
+           ShadowBatch& batch) {
+  bool blocked[ShadowBatch::kMax] = {};
+  world.occluded_batch(cell.rays, 0, cell.count, tolerance, cell.limit, entry, blocked);
+  for (int k = 0; k < cell.count; ++k)
+    if (blocked[k]) batch.light[cell.index[k]] = Rgb();
+}
+
 }  // namespace
 
 // Shadow rays to this light go one by one: many to an area, or with things to meet or numbers to draw on their way that
@@ -65,7 +74,7 @@ bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
 
 // Calls opaque(cell, entry) for rays that meet nothing but opaque objects, and mixed(cell, entry) for others.
 template <class Opaque, class Mixed>
-void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRays& batch, Opaque&& opaque,
+void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowBatch& batch, Opaque&& opaque,
                       Mixed&& mixed) {
   const bool entries =
       !scene_.world.tree().empty() && !eye.gather;  // without a tree there is nothing to know of where rays start
@@ -75,9 +84,9 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRays&
     const Vec3 p = batch.rays.origin.at(i);
     int c = cells.find(p, last);
     if (c >= 0) {
-      coherent_.used_again(viewer({eye, batch.surface(i), light}));
+      coherent_.used_again(viewer({eye, batch.lit[i], light}));
     } else {
-      accel::WorldEntry* const entry = entries ? shadow_entry({eye, batch.surface(i), light}, p) : nullptr;
+      accel::WorldEntry* const entry = entries ? shadow_entry({eye, batch.lit[i], light}, p) : nullptr;
       // What was remembered for another cell may have had to go.
       for (Cells::Cell& other : cells.cells)
         if (entry && other.entry == entry) other.entry = nullptr;
@@ -129,31 +138,34 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& 
     return;
   }
   by_cells(
-      light, eye, {batch.rays, batch.distance, batch.lit, batch.count},
+      light, eye, batch,
       [&](const Travellers& cell, accel::WorldEntry* entry) {
-        bool blocked[ShadowBatch::kMax] = {};
-        scene_.world.occluded_batch(cell.rays, 0, cell.count, contact_tolerance(light), cell.limit, entry, blocked);
-        for (int k = 0; k < cell.count; ++k)
-          if (blocked[k]) batch.light[cell.index[k]] = Rgb();
+        block(scene_.world, contact_tolerance(light), cell, entry, batch);
       },
       [&](const Travellers& cell, accel::WorldEntry* entry) {
         filter_row(light, eye, entry, cell.index, cell.count, batch);
       });
 }
 
-void Tracer::look_for_light(const Light& light, const RayState& eye, const RayBatch& rays, const double* distance,
-                            int count, LightWay* ways) {
-  std::fill_n(ways, count, LightWay::unknown);
+void Tracer::look_for_light(const Light& light, const RayState& eye, ShadowBatch& batch, bool* known) {
+  std::fill_n(known, batch.count, false);
   if (scene_.quality < 4 || !light.shadows() || rays_alone(light, eye)) return;
+  const bool draws = scene_.effects && scene_.effects->interior_draws_count;
+  const auto know = [&](const Travellers& cell) {
+    for (int k = 0; k < cell.count; ++k) known[cell.index[k]] = true;
+    statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
+  };
   by_cells(
-      light, eye, {rays, distance, nullptr, count},
+      light, eye, batch,
       [&](const Travellers& cell, accel::WorldEntry* entry) {
-        bool blocked[ShadowBatch::kMax] = {};
-        scene_.world.occluded_batch(cell.rays, 0, cell.count, contact_tolerance(light), cell.limit, entry, blocked);
-        for (int k = 0; k < cell.count; ++k) ways[cell.index[k]] = blocked[k] ? LightWay::blocked : LightWay::open;
-        statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
+        block(scene_.world, contact_tolerance(light), cell, entry, batch);
+        know(cell);
       },
-      [](const Travellers&, accel::WorldEntry*) {});
+      [&](const Travellers& cell, accel::WorldEntry* entry) {
+        if (draws) return;
+        filter_row(light, eye, entry, cell.index, cell.count, batch);
+        know(cell);
+      });
 }
 
 // filter_along() for the rays `index` of a batch: where transparent surfaces may be met. Nothing but media of

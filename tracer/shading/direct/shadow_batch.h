@@ -2,8 +2,6 @@
 // through a medium.
 #pragma once
 
-#include <array>
-
 #include "tracer/math/ray_batch.h"
 #include "tracer/shading/random.h"
 #include "tracer/shading/tracer.h"
@@ -26,18 +24,5 @@ struct ShadowBatch {
     ++count;
   }
 };
-
-// The rays of a batch, from surfaces or from places in space.
-struct ShadowRays {
-  const RayBatch& rays;
-  const double* distance;
-  const shapes::Surface* const* lit;  // null: no surfaces
-  int count;
-  const shapes::Surface* surface(int i) const { return lit ? lit[i] : nullptr; }
-};
-
-// What is known of the way to a light.
-enum class LightWay : unsigned char { unknown, blocked, open };
-using LightWays = std::array<LightWay, ShadowBatch::kMax>;
 
 }  // namespace verisim::shading

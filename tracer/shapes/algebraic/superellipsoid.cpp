@@ -1,5 +1,6 @@
 // superellipsoid (spec 03 4.12): nested p-norms, |(|(x, y)|_2/e, z)|_2/n = 1.
 #include <algorithm>
+#include <utility>
 
 #include "tracer/shapes/convex.h"
 #include "tracer/shapes/factories.h"
@@ -14,42 +15,70 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kZero = 1e-10, kCube = 1.01;
 constexpr int kMaxSteps = 20;
 
-// |(a, b)|_p, p = 2 / e, as POV-Ray has it, bit by bit: powers by multiplication where p is a small integer.
-class Norm {
- public:
-  explicit Norm(double e) : p_(2 / e), inverse_(1 / p_), negligible_(std::pow(2, -54 / p_)) {
-    if (p_ >= 1 && p_ <= 6 && p_ == std::floor(p_)) integer_ = static_cast<int>(p_);
-  }
-  double exponent() const { return p_; }
-  double operator()(double a, double b) const {
-    if (a < b) std::swap(a, b);
-    if (!(a > 0)) return 0;
-    const double ratio = b / a;
-    if (ratio < negligible_) return a;
-    const double sum = 1 + raise(ratio);
-    return sum == 1 ? a : a * std::pow(sum, inverse_);  // most of a body with sharp edges
-  }
-  // x^p
-  double raise(double x) const {
-    if (integer_ == 0) return std::pow(x, p_);
-    double result = 1;
-    for (int n = integer_; n != 0; n >>= 1, x *= x)
-      if (n & 1) result *= x;
-    return result;
-  }
-
- private:
-  double p_, inverse_;
-  double negligible_;  // 1 + x^p is 1 below it
-  int integer_ = 0;
-};
-
 // A point of a ray in the shape's own space, and the value there.
 struct Sample {
   Vec3 p;
   double value;
 };
 bool opposite(const Sample& a, const Sample& b) { return (a.value < 0) != (b.value < 0); }
+
+// The search for the root between two points at which the signs differ: the secant from the first point, and the
+// middle. Where their signs differ, they are the next two points; otherwise the one with the smaller value takes the
+// place of that with its sign.
+class Root {
+ public:
+  Root() {}
+  Root(const Sample& a, const Sample& b, bool convex) : a_(a), b_(b), convex_(convex) { aim(); }
+  Vec3 at;  // where the value is wanted; at last the root
+  // Goes on with the value; true: it is found.
+  bool take(double value) {
+    if (!halves_) {
+      secant_ = {at, value};
+      if (std::fabs(value) < kZero) return true;
+      if (middle_is_deeper(a_, b_)) {
+        b_ = secant_;
+      } else if (middle_is_deeper(b_, a_)) {
+        a_ = secant_;
+      } else {
+        halves_ = true;
+        at = 0.5 * (a_.p + b_.p);
+        return false;
+      }
+    } else {
+      if (std::fabs(value) < kZero) return true;
+      halves_ = false;
+      const Sample middle{at, value};
+      if (opposite(secant_, middle)) {
+        a_ = secant_, b_ = middle;
+      } else {
+        const Sample& next = std::fabs(secant_.value) < std::fabs(middle.value) ? secant_ : middle;
+        (opposite(next, a_) ? b_ : a_) = next;
+      }
+    }
+    if (++steps_ == kMaxSteps) {
+      at = secant_.p;
+      return true;
+    }
+    aim();
+    return false;
+  }
+
+ private:
+  void aim() { at = a_.p + a_.value / (a_.value - b_.value) * (b_.p - a_.p); }
+  // Whether the value in the middle between a point outside and one inside, which lies behind the secant's, is surely
+  // below the secant's, so that it need not be known. A convex value there is at most what the straight line from the
+  // secant's point to that inside has.
+  bool middle_is_deeper(const Sample& outside, const Sample& inside) const {
+    constexpr double kDoubt = 1e-12;  // more than values can be off
+    if (!(convex_ && outside.value > 0 && secant_.value < 0)) return false;
+    const double place = outside.value / (outside.value - inside.value);  // of the secant's point, from outside
+    return place < 0.5 && (0.5 - place) * (secant_.value - inside.value) > kDoubt;
+  }
+
+  Sample a_, b_, secant_;
+  int steps_ = 0;
+  bool convex_, halves_ = false;
+};
 
 class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
  public:
@@ -59,7 +88,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
         all_(s.north),
         guarded_(has_guards(description)) {
     constexpr double kDoubt = 1e-9;
-    most_inside_ = (1 - kDoubt) * std::pow(2, -1 / across_.exponent() - 1 / all_.exponent());
+    most_inside_ = (1 - kDoubt) * std::pow(2, -1 / across_.exponent - 1 / all_.exponent);
     least_outside_ = 1 + kDoubt;
     if (has_matrix())
       interval_ =
@@ -115,9 +144,14 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
       active |= 1u << k;
     });
     const unsigned entered = approach(1, active, entry), left = approach(-1, entered, exit);
+    double from[ConvexPacket::kCount], to[ConvexPacket::kCount];
+    each_lane(entered,
+              [&](int k) { from[k] = surely_outside_until(entry, k), to[k] = left >> k & 1 ? exit.t[k] : -HUGE_VAL; });
+    search_packet(entered, locals, near, far, from, to,
+                  [&](int k, double t) { return add_depth(t / locals[k].scale, intersections[k]); });
     each_lane(entered, [&](int k) {
-      intersections[k] = found_from(locals[k], near[k], far[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry,
-                                    exit, left >> k & 1, k, k);
+      narrow(locals[k], near[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, exit, left >> k & 1, k, k,
+             intersections[k]);
     });
   }
 
@@ -137,8 +171,8 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const double large = std::max(x, y), small = std::min(x, y);
     const double across = large > 0 ? across_.raise(small / large) : 0, along = all_.raise(z), rest = 1 - along;
-    const auto part = [](double power, double base, const Norm& norm) {
-      return base > 0 ? power / base : norm.exponent() == 1 ? 1.0 : 0.0;
+    const auto part = [](double power, double base, const EllipsoidNorm& norm) {
+      return base > 0 ? power / base : norm.exponent == 1 ? 1.0 : 0.0;
     };
     const double most = large > 0 ? rest / large : 0, least = part(rest * across, small, across_);
     const Vec3 g(std::copysign(x < y ? least : most, v.x), std::copysign(x < y ? most : least, v.y),
@@ -151,43 +185,66 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
  private:
   double value(const Vec3& p) const { return all_(across_(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)) - 1; }
   Sample sample(const Vec3& p) const { return {p, value(p)}; }
-  Sample sample(const LocalRay& l, double t) const { return sample(l.origin + t * l.direction); }
-
+  static Vec3 point(const LocalRay& l, double t) { return l.origin + t * l.direction; }
+  Sample sample(const LocalRay& l, double t) const { return sample(point(l, t)); }
+  // The values at the points of the samples of these lanes.
+  void evaluate(Sample* samples, unsigned lanes) const {
+    Vec3 points[EllipsoidPoints::kCount];
+    double found[EllipsoidPoints::kCount];
+    int count = 0;
+    each_lane(lanes, [&](int k) { points[count++] = samples[k].p; });
+    values(points, count, found);
+    count = 0;
+    each_lane(lanes, [&](int k) { samples[k].value = found[count++]; });
+  }
+  void values(const Vec3* points, int count, double* found) const {
+    constexpr int kWorthAPacket = 3, kCount = EllipsoidPoints::kCount;
+    for (; count >= kWorthAPacket; points += kCount, found += kCount, count -= kCount) {
+      const int n = std::min(count, kCount);
+      EllipsoidPoints packet;
+      alignas(64) double norms[kCount];
+      for (int k = 0; k < kCount; ++k) {
+        const Vec3& p = points[std::min(k, n - 1)];
+        packet.x[k] = p.x, packet.y[k] = p.y, packet.z[k] = p.z;
+      }
+      superellipsoid_kernels().norms(across_, all_, (1u << n) - 1, packet, norms);
+      for (int k = 0; k < n; ++k) found[k] = norms[k] - 1;
+    }
+    for (int k = 0; k < count; ++k) found[k] = value(points[k]);
+  }
   // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method
   // from outside goes straight to each.
-  bool convex() const { return across_.exponent() >= 1 && all_.exponent() >= 1; }
+  bool convex() const { return across_.exponent >= 1 && all_.exponent >= 1; }
   unsigned approach(double side, unsigned active, ConvexPacket& packet) const {
     if (active == 0) return 0;
     std::fill_n(packet.side, ConvexPacket::kCount, side);
-    return superellipsoid_kernels().approach(across_.exponent(), all_.exponent(), active, packet);
+    return superellipsoid_kernels().approach(across_.exponent, all_.exponent, active, packet);
   }
   // The entry in the first lane, the exit in the second.
   unsigned approach_both(const LocalRay& l, double near, double far, unsigned active, ConvexPacket& packet) const {
     set(packet, 0, l), set(packet, 1, l);
     packet.t[0] = near, packet.end[0] = far, packet.side[0] = 1;
     packet.t[1] = far, packet.end[1] = near, packet.side[1] = -1;
-    return superellipsoid_kernels().approach_pair(across_.exponent(), all_.exponent(), active, packet);
+    return superellipsoid_kernels().approach_pair(across_.exponent, all_.exponent, active, packet);
   }
   static void set(ConvexPacket& packet, int k, const LocalRay& l) {
     packet.ox[k] = l.origin.x, packet.oy[k] = l.origin.y, packet.oz[k] = l.origin.z;
     packet.dx[k] = l.direction.x, packet.dy[k] = l.direction.y, packet.dz[k] = l.direction.z;
   }
-  // What is known of one ray: where it is within the cube, and lanes in which the entry and the exit were looked for
-  // from either end of that interval. The exit would be found from behind the entry only; that the search for it may
-  // pass the entry, where it finds nothing, does not matter.
-  Intersections found_from(const LocalRay& l, double begin, double end, double doubt, const ConvexPacket& entry,
-                           const ConvexPacket& exit, bool left, int i, int j) const {
-    Intersections c;
-    search(l, begin, end, surely_outside_until(entry, i), left ? exit.t[j] : -HUGE_VAL, [&](double t) {
-      const double depth = t / l.scale;
-      if (depth > kNearest && depth < kFarthest) c.add(depth);
-      return c.count == 2;
-    });
+  // A convex body has two hits at most. Returns whether these are both.
+  static bool add_depth(double depth, Intersections& c) {
+    if (depth > kNearest && depth < kFarthest) c.add(depth);
+    return c.count == 2;
+  }
+  // Where one ray may be inside: lanes i and j tell of the entry and the exit, which were looked for from either end of
+  // the cube. The exit would be found from behind the entry only; that the search for it may pass the entry, where it
+  // finds nothing, does not matter.
+  static void narrow(const LocalRay& l, double begin, double doubt, const ConvexPacket& entry, const ConvexPacket& exit,
+                     bool left, int i, int j, Intersections& c) {
     // The value is convex along the ray: beyond its zeros it is above its tangents there.
     if (!(begin == kNearest && entry.t[i] == begin))
       c.near = (entry.t[i] - doubt / std::fabs(entry.slope[i])) / l.scale;
     if (left && exit.t[j] > entry.t[i]) c.far = (exit.t[j] + doubt / std::fabs(exit.slope[j])) / l.scale;
-    return c;
   }
   // How much the value changes, at most, where a point is off by PlaneSet::doubt_at; and what the inside test
   // tolerates.
@@ -200,7 +257,11 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     ConvexPacket packet;
     const unsigned found = approach_both(l, near, far, 3, packet);
     if (!(found & 1)) return {};
-    return found_from(l, near, far, doubt_at(ray.origin), packet, packet, found & 2, 0, 1);
+    Intersections c;
+    search(l, near, far, surely_outside_until(packet, 0), found & 2 ? packet.t[1] : -HUGE_VAL,
+           [&](double t) { return add_depth(t / l.scale, c); });
+    narrow(l, near, doubt_at(ray.origin), packet, packet, found & 2, 0, 1, c);
+    return c;
   }
   // The same for eight rays: take(lane, t) for the nearest hits.
   template <class Take>
@@ -216,14 +277,15 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
       packet.t[k] = near[k], packet.end[k] = far[k];
       active |= 1u << k;
     });
-    each_lane(approach(1, active, packet), [&](int k) {
-      search(locals[k], near[k], far[k], surely_outside_until(packet, k), -HUGE_VAL, [&](double t) {
-        const double depth = t / locals[k].scale;
-        if (!(depth > kNearest && depth < kFarthest && depth >= t_min && depth < t_max[k])) return false;
-        found |= 1u << k;
-        take(k, depth);
-        return true;
-      });
+    const unsigned entered = approach(1, active, packet);
+    double from[ConvexPacket::kCount], to[ConvexPacket::kCount];
+    each_lane(entered, [&](int k) { from[k] = surely_outside_until(packet, k), to[k] = -HUGE_VAL; });
+    search_packet(entered, locals, near, far, from, to, [&](int k, double t) {
+      const double depth = t / locals[k].scale;
+      if (!(depth > kNearest && depth < kFarthest && depth >= t_min && depth < t_max[k])) return false;
+      found |= 1u << k;
+      take(k, depth);
+      return true;
     });
     return found;
   }
@@ -249,102 +311,175 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return true;
   }
 
-  // Where the ray enters and leaves the cube, and crosses the planes of symmetry in between; sorted.
-  static int knots_of(const LocalRay& l, double near, double far, double* knots) {
-    const Vec3 &o = l.origin, &d = l.direction;
-    int n = 0;
-    knots[n++] = near;
-    const auto cross_plane = [&](double distance, double slope) {
-      if (slope == 0) return;
-      const double t = -distance / slope;
-      if (t > near && t < far) knots[n++] = t;
-    };
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3;
-      cross_plane(o[i], d[i]);
-      cross_plane(o[i] - o[j], d[i] - d[j]);
-      cross_plane(o[i] + o[j], d[i] + d[j]);
+  // Where a ray enters and leaves the cube, and crosses the planes of symmetry in between; sorted. `next` is the end of
+  // the interval that a search has come to: the first that does not end before `outside`.
+  struct Knots {
+    double at[11];
+    int count, next;
+
+    Knots() {}
+    Knots(const LocalRay& l, double near, double far, double outside) : count(0), next(1) {
+      const Vec3 &o = l.origin, &d = l.direction;
+      at[count++] = near;
+      const auto cross_plane = [&](double distance, double slope) {
+        if (slope == 0) return;
+        const double t = -distance / slope;
+        if (t > near && t < far) at[count++] = t;
+      };
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        cross_plane(o[i], d[i]);
+        cross_plane(o[i] - o[j], d[i] - d[j]);
+        cross_plane(o[i] + o[j], d[i] + d[j]);
+      }
+      at[count++] = far;
+      std::sort(at, at + count);
+      while (next < count - 1 && at[next] < outside) ++next;
     }
-    knots[n++] = far;
-    std::sort(knots, knots + n);
-    return n;
-  }
+    bool done() const { return next >= count; }
+    double before() const { return at[next - 1]; }
+    double here() const { return at[next]; }
+    int last_before(double t) const {
+      int last = next;
+      while (last + 1 < count && at[last + 1] < t) ++last;
+      return last;
+    }
+  };
 
   // POV-Ray's search from `near` to `far`, step by step, because it stops where the value is within 1e-10 of zero: its
   // steps decide the last bits of hits, and which hits are lost. Up to `outside` there is none; near `exit` a convex
   // one is left (-HUGE_VAL: unknown). report(t) says whether it may stop.
   template <class Report>
   void search(const LocalRay& l, double near, double far, double outside, double exit, Report&& report) const {
-    double knots[11];
-    const int count = knots_of(l, near, far, knots);
-    int i = 1;
-    while (i < count - 1 && knots[i] < outside) ++i;
-    Sample a = sample(l, knots[i - 1]);
-    if (std::fabs(a.value) < kZero && report(knots[i - 1])) return;
-    for (; i < count; ++i) {
-      const Sample b = sample(l, knots[i]);
+    Knots knots(l, near, far, outside);
+    const Sample a = sample(l, knots.before());
+    if (std::fabs(a.value) < kZero && report(knots.before())) return;
+    search_from(l, knots, a, exit, report);
+  }
+  // The same from the interval that `knots` has come to and begins at `a`, which was reported if it is a hit.
+  template <class Report>
+  void search_from(const LocalRay& l, Knots& knots, Sample a, double exit, Report&& report) const {
+    for (; !knots.done(); ++knots.next) {
+      const Sample b = sample(l, knots.here());
       if (std::fabs(b.value) < kZero) {
-        if (report(knots[i])) return;
+        if (report(knots.here())) return;
       } else if (std::fabs(a.value) >= kZero) {
         double t;
         if (opposite(a, b)) {
           if (report(refined(l, a, b))) return;
-        } else if (a.value > 0 && grazing_entry(l, knots[i - 1], a, knots[i], t)) {
+        } else if (a.value > 0 && grazing_entry(l, knots.before(), a, knots.here(), t)) {
           if (report(t)) return;
         }
       }
       a = b;
-      if (i + 1 < count && well_inside(a)) pass_inside(l, knots, exit, i, a);
+      if (well_inside(a)) pass_inside(l, knots, exit, a);
     }
+  }
+  // The same for several rays, in step as long as they take the way that most do: from a knot outside to one inside,
+  // and from there to one outside again. report(lane, t).
+  template <class Report>
+  void search_packet(unsigned lanes, const LocalRay* locals, const double* near, const double* far,
+                     const double* outside, const double* exit, Report&& report) const {
+    constexpr int kCount = EllipsoidPoints::kCount;
+    Knots knots[kCount];
+    Sample a[kCount], b[kCount];
+    Root entries[kCount], exits[kCount];
+    each_lane(lanes, [&](int k) {
+      knots[k] = Knots(locals[k], near[k], far[k], outside[k]);
+      a[k].p = point(locals[k], knots[k].before()), b[k].p = point(locals[k], knots[k].here());
+    });
+    const auto go_on_alone = [&](int k) {
+      search_from(locals[k], knots[k], a[k], exit[k], [&](double at) { return report(k, at); });
+    };
+    evaluate(a, lanes), evaluate(b, lanes);
+    // Those that enter in this interval; those that are inside at its end; those that leave.
+    unsigned enters = 0, within = 0, leaves = 0;
+    each_lane(lanes, [&](int k) {
+      const bool begins_outside = a[k].value >= kZero, begins_inside = a[k].value <= -kZero;
+      if (begins_outside && b[k].value <= -kZero)
+        enters |= 1u << k, within |= 1u << k, entries[k] = Root(a[k], b[k], convex());
+      else if (begins_inside && b[k].value <= -kZero)
+        within |= 1u << k;
+      else if (begins_inside && b[k].value >= kZero)
+        leaves |= 1u << k;
+      else if (!(std::fabs(a[k].value) < kZero && report(k, knots[k].before())))
+        go_on_alone(k);
+    });
+    // On to the last knot inside, where the exit is known, and to the first one outside.
+    unsigned known = 0;
+    each_lane(within, [&](int k) {
+      a[k] = b[k];
+      if (well_inside(a[k]) && exit[k] != -HUGE_VAL) known |= 1u << k;
+    });
+    pass_inside(known, locals, exit, knots, a);
+    each_lane(within, [&](int k) {
+      ++knots[k].next;
+      if (knots[k].done()) known &= ~(1u << k);
+      if (known >> k & 1) b[k].p = point(locals[k], knots[k].here());
+    });
+    evaluate(b, known);
+    each_lane(known, [&](int k) { leaves |= b[k].value >= kZero ? 1u << k : 0; });
+    each_lane(leaves, [&](int k) { exits[k] = Root(a[k], b[k], convex()); });
+    find(entries, enters, exits, leaves);
+    each_lane(within | leaves, [&](int k) {
+      if ((enters >> k & 1) != 0 && report(k, length(entries[k].at - locals[k].origin))) return;
+      if ((leaves >> k & 1) != 0) {
+        if (report(k, length(exits[k].at - locals[k].origin))) return;
+        a[k] = b[k];
+        ++knots[k].next;
+      }
+      go_on_alone(k);
+    });
   }
 
   static bool well_inside(const Sample& a) { return a.value < -2 * kZero; }
-  // Between two points that are well inside all is, so the last knot `a`, of index i, may as well be the last of all
-  // before the exit.
-  void pass_inside(const LocalRay& l, const double* knots, double exit, int& i, Sample& a) const {
-    int last = i;
-    while (knots[last + 1] < exit) ++last;
-    if (last == i) return;
-    const Sample there = sample(l, knots[last]);
-    if (well_inside(there)) i = last, a = there;
+  // Between two points that are well inside all is, so the last knot `a` may as well be the last of all before the
+  // exit.
+  void pass_inside(const LocalRay& l, Knots& knots, double exit, Sample& a) const {
+    const int last = knots.last_before(exit);
+    if (last == knots.next) return;
+    const Sample there = sample(l, knots.at[last]);
+    if (well_inside(there)) knots.next = last, a = there;
   }
 
-  // The root between two points at which the signs differ: the secant from the first point, and the middle. Where their
-  // signs differ, they are the next two points; otherwise the one with the smaller value takes the place of that with
-  // its sign.
-  double refined(const LocalRay& l, Sample a, Sample b) const {
-    Sample secant{};
-    for (int step = 0; step < kMaxSteps; ++step) {
-      secant = sample(a.p + a.value / (a.value - b.value) * (b.p - a.p));
-      if (std::fabs(secant.value) < kZero) break;
-      if (middle_is_deeper(a, b, secant)) {
-        b = secant;
-        continue;
-      }
-      if (middle_is_deeper(b, a, secant)) {
-        a = secant;
-        continue;
-      }
-      const Sample middle = sample(0.5 * (a.p + b.p));
-      if (std::fabs(middle.value) < kZero) return length(middle.p - l.origin);
-      if (opposite(secant, middle)) {
-        a = secant, b = middle;
-      } else {
-        const Sample& next = std::fabs(secant.value) < std::fabs(middle.value) ? secant : middle;
-        (opposite(next, a) ? b : a) = next;
-      }
+  // The same for several rays.
+  void pass_inside(unsigned lanes, const LocalRay* locals, const double* exit, Knots* knots, Sample* at) const {
+    constexpr int kCount = EllipsoidPoints::kCount;
+    int last[kCount];
+    Sample there[kCount];
+    unsigned passes = 0;
+    each_lane(lanes, [&](int k) {
+      last[k] = knots[k].last_before(exit[k]);
+      if (last[k] != knots[k].next) passes |= 1u << k, there[k].p = point(locals[k], knots[k].at[last[k]]);
+    });
+    evaluate(there, passes);
+    each_lane(passes, [&](int k) {
+      if (well_inside(there[k])) knots[k].next = last[k], at[k] = there[k];
+    });
+  }
+
+  double refined(const LocalRay& l, const Sample& a, const Sample& b) const {
+    Root root(a, b, convex());
+    while (!root.take(value(root.at))) {
     }
-    return length(secant.p - l.origin);
+    return length(root.at - l.origin);
   }
-
-  // Whether the value in the middle between a point outside and one inside, which lies behind the secant's, is surely
-  // below the secant's, so that it need not be known. A convex value there is at most what the straight line from the
-  // secant's point to that inside has.
-  bool middle_is_deeper(const Sample& outside, const Sample& inside, const Sample& secant) const {
-    constexpr double kDoubt = 1e-12;  // more than values can be off
-    if (!(convex() && outside.value > 0 && secant.value < 0)) return false;
-    const double at = outside.value / (outside.value - inside.value);  // of the secant's point, from outside
-    return at < 0.5 && (0.5 - at) * (secant.value - inside.value) > kDoubt;
+  // Roots of several rays: what they ask for next is asked for together.
+  void find(Root* entries, unsigned enters, Root* exits, unsigned leaves) const {
+    constexpr int kMost = 2 * EllipsoidPoints::kCount;
+    Root* open[kMost];
+    Vec3 points[kMost];
+    double found[kMost];
+    int count = 0;
+    each_lane(enters, [&](int k) { open[count++] = &entries[k]; });
+    each_lane(leaves, [&](int k) { open[count++] = &exits[k]; });
+    while (count > 0) {
+      for (int i = 0; i < count; ++i) points[i] = open[i]->at;
+      values(points, count, found);
+      const int asked = std::exchange(count, 0);
+      for (int i = 0; i < asked; ++i)
+        if (!open[i]->take(found[i])) open[count++] = open[i];
+    }
   }
 
   // Outside at both ends of an interval: secants from the near end, which find an entry if the ray dips below the
@@ -368,7 +503,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return false;
   }
 
-  Norm across_, all_;                   // of x and y, of that and z
+  EllipsoidNorm across_, all_;          // of x and y, of that and z
   double interval_ = 2;                 // nothing grows more than this much on the way to local coordinates
   double most_inside_, least_outside_;  // of coordinates: where the formula need not be asked
   bool guarded_;

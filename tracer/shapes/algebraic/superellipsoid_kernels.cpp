@@ -7,9 +7,10 @@
 #define HWY_TARGET_INCLUDE "tracer/shapes/algebraic/superellipsoid_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
-#include "hwy/highway.h"
+#include "tracer/functions/library-inl.h"
 #include "tracer/math/power.h"
 #include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace verisim::shapes {
@@ -141,7 +142,67 @@ unsigned approach(double p, double q, unsigned active_mask, ConvexPacket& packet
   return result;
 }
 
-const SuperellipsoidKernels kKernels = {approach<ConvexPacket::kCount>, approach<2>};
+#if HWY_NATIVE_FMA
+namespace library = functions::HWY_NAMESPACE;
+
+// x^y where `wanted`; elsewhere anything.
+HWY_INLINE library::Part power_of(const library::Part& x, double y, unsigned wanted) {
+  library::Part result;
+  unsigned unsure = library::power(x, library::Part(y), result) & wanted;
+  if (unsure == 0) return result;
+  double all[library::kPart];
+  store(all, result);
+  for (; unsure != 0; unsure &= unsure - 1) {
+    const int k = std::countr_zero(unsure);
+    all[k] = std::pow(x[k], y);
+  }
+  return library::Part::load(all);
+}
+
+HWY_INLINE library::Part raise(const EllipsoidNorm& norm, library::Part x, unsigned wanted) {
+  if (norm.integer == 0) return power_of(x, norm.exponent, wanted);
+  library::Part result(1.0);
+  for (int n = norm.integer; n != 0; n >>= 1, x = x * x)
+    if (n & 1) result = result * x;
+  return result;
+}
+
+// EllipsoidNorm's formula.
+HWY_INLINE library::Part norm_of(const EllipsoidNorm& norm, const library::Part& a, const library::Part& b,
+                                 unsigned active) {
+  const library::Part large = max(a, b), small = min(a, b);
+  const library::PartMask some = large > 0.0;
+  const library::Part ratio = small / select(some, large, library::Part(1.0));
+  const library::PartMask two = some & (ratio >= norm.negligible);
+  const unsigned both = bits(two) & active;
+  const library::Part result = select(some, large, library::Part(0.0));
+  if (both == 0) return result;
+  const library::Part sum = 1.0 + raise(norm, select(two, ratio, library::Part(1.0)), both);
+  const library::PartMask more = two & (sum != 1.0);
+  const unsigned rooted = bits(more) & active;
+  if (rooted == 0) return result;
+  return select(more, large * power_of(sum, norm.inverse, rooted), result);
+}
+#endif
+
+void norms(const EllipsoidNorm& across, const EllipsoidNorm& all, unsigned active, const EllipsoidPoints& points,
+           double* norms) {
+#if HWY_NATIVE_FMA
+  for (int k = 0; k < EllipsoidPoints::kCount; k += library::kPart) {
+    const unsigned here = active >> k & ((1u << library::kPart) - 1);
+    if (here == 0) continue;
+    const library::Part x = abs(library::Part::load(points.x + k)), y = abs(library::Part::load(points.y + k)),
+                        z = abs(library::Part::load(points.z + k));
+    store(norms + k, norm_of(all, norm_of(across, x, y, here), z, here));
+  }
+#else
+  each_lane(active, [&](int k) {
+    norms[k] = all(across(std::fabs(points.x[k]), std::fabs(points.y[k])), std::fabs(points.z[k]));
+  });
+#endif
+}
+
+const SuperellipsoidKernels kKernels = {approach<ConvexPacket::kCount>, approach<2>, norms};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -2,6 +2,8 @@
 #include "tracer/shapes/algebraic/superellipsoid_packet.h"
 #include "tracer/shapes/packet_test_support.h"
 
+#include <random>
+
 namespace verisim::shapes::testing {
 namespace {
 
@@ -59,6 +61,31 @@ TEST_P(SuperellipsoidKernel, ApproachesASuperellipsoidInTheSameSteps) {
               [&](int lane) { ASSERT_TRUE(same(pair.t[lane], a.t[lane]) && same(pair.value[lane], a.value[lane])); });
   }
   EXPECT_GT(met, 5000);
+}
+
+TEST_P(SuperellipsoidKernel, NormsHaveTheBitsOfThePlainFormula) {
+  const SuperellipsoidKernels* kernels = superellipsoid_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const double exponents[] = {0.02, 0.1, 0.25, 1.0 / 3, 0.5, 0.7, 1, 1.3, 2, 3.7};
+  for (int round = 0; round < 20000; ++round) {
+    const EllipsoidNorm across(exponents[round % 10]), all(exponents[round / 10 % 10]);
+    EllipsoidPoints points;
+    double norms[EllipsoidPoints::kCount];
+    for (int k = 0; k < EllipsoidPoints::kCount; ++k) {
+      const double small = round % 7 == 0 ? std::exp2(30 * unit(random) - 30) : 1;
+      points.x[k] = unit(random), points.y[k] = small * unit(random), points.z[k] = 1.2 * unit(random);
+      if (round % 5 == 0) (k % 3 == 0 ? points.x : k % 3 == 1 ? points.y : points.z)[k] = 0;
+      if (round % 11 == 0) points.y[k] = -points.x[k];
+    }
+    const unsigned active = round % 2 == 0 ? 255u : static_cast<unsigned>(round) * 37 & 255u;
+    kernels->norms(across, all, active, points, norms);
+    each_lane(active, [&](int k) {
+      const double expected = all(across(std::fabs(points.x[k]), std::fabs(points.y[k])), std::fabs(points.z[k]));
+      ASSERT_TRUE(same(norms[k], expected)) << points.x[k] << ' ' << points.y[k] << ' ' << points.z[k];
+    });
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, SuperellipsoidKernel, all_instruction_sets());

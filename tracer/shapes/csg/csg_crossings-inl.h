@@ -202,23 +202,35 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
   const typename Number::Mask sloping = abs(d.y) > kEpsilon;
   for (const double end : {prism.low, prism.high}) {
     if (prism.open) break;
-    const Number t = (Number(end) - o.y) / d.y, depth = t / scale;
-    if (unsigned lanes = wanted(s, depth, sloping & reach(depth)); lanes != 0) {
-      lanes = covered(n, lanes, o.x + t * d.x, o.z + t * d.z);
+    const Number t = (Number(end) - o.y) / d.y, x = o.x + t * d.x, z = o.z + t * d.z;
+    // A quotient is dear, and most rays pass a cap beside the outline, or a wall above or below it.
+    const typename Number::Mask near = sloping & (x >= prism.outline.min.x) & (x <= prism.outline.max.x) &
+                                       (z >= prism.outline.min.y) & (z <= prism.outline.max.y);
+    if ((bits(near) & s.open) == 0) continue;
+    const Number depth = t / scale;
+    if (unsigned lanes = wanted(s, depth, near & reach(depth)); lanes != 0) {
+      lanes = covered(n, lanes, x, z);
       if (lanes != 0) consider_on_ray(s, n, depth, lanes, IntsFor<Number>(kCap));
     }
   }
   const typename Number::Mask level = sloping | ((o.y >= prism.low) & (o.y <= prism.high)), by_x = abs(d.x) > kEpsilon;
+  const Number run = select(by_x, d.x, d.z);
   std::int64_t part = 0;
   for (const StraightSegment& w : prism.segments) {
     const IntsFor<Number> wall(part++);
-    const Number slope = d.z * w.dx + -d.x * w.dz;
-    const Number at = -(d.z * (Number(w.x) - o.x) + -d.x * (Number(w.z) - o.z)) / slope;
-    const typename Number::Mask met = level & (slope != 0) & (at >= 0) & (at <= 1);
+    const Number slope = d.z * w.dx + -d.x * w.dz, rise = -(d.z * (Number(w.x) - o.x) + -d.x * (Number(w.z) - o.z));
+    // Most walls are passed by all rays, which takes no quotient: a rounded one is at most 1 where the exact one is,
+    // and at least 0 where it is or underflows.
+    const typename Number::Mask near = level & (abs(rise) <= abs(slope)) & (rise * slope >= -1e-300);
+    if ((bits(near) & s.open) == 0) continue;
+    const Number at = rise / slope;
+    const typename Number::Mask met = near & (slope != 0) & (at >= 0) & (at <= 1);
     if ((bits(met) & s.open) == 0) continue;
-    const Number t = select(by_x, (w.dx * at + w.x - o.x) / d.x, (w.dz * at + w.z - o.z) / d.z), y = o.y + t * d.y,
-                 depth = t / scale;
-    consider(s, n, depth, met & (y >= prism.low) & (y <= prism.high) & reach(depth), wall);
+    const Number t = select(by_x, w.dx * at + w.x - o.x, w.dz * at + w.z - o.z) / run, y = o.y + t * d.y;
+    const typename Number::Mask within = met & (y >= prism.low) & (y <= prism.high);
+    if ((bits(within) & s.open) == 0) continue;
+    const Number depth = t / scale;
+    consider(s, n, depth, within & reach(depth), wall);
   }
 }
 

@@ -30,7 +30,7 @@ struct CsgTree::Builder {
   std::vector<double> cost{};  // of an inside test, by node
   bool computes = false;       // there is a simple solid
 
-  // With what is below it. `top_child`: of the object itself.
+  // With what is below it. `top_child`: all of the object is within it.
   std::uint32_t add(const Shape& shape, bool top_child) {
     const auto index = static_cast<std::uint32_t>(tree.nodes.size());
     tree.nodes.emplace_back();
@@ -46,7 +46,7 @@ struct CsgTree::Builder {
       n.kind = shape.object->as<scene::Csg>()->kind == scene::CsgKind::intersection ? CsgNode::Kind::intersection
                                                                                     : CsgNode::Kind::sum;
       n.boxed = accel::is_finite(n.box);
-      test_cost = add_children(n, shape.children(), false);
+      test_cost = add_children(n, shape.children(), top_child && n.kind == CsgNode::Kind::intersection);
     } else if (n.simple = shape.simple(); n.simple.form != SimpleSolid::Form::other) {
       n.kind = CsgNode::Kind::simple;
       n.boxed_solid = false;
@@ -76,8 +76,7 @@ struct CsgTree::Builder {
     cost[index] = test_cost;
     return index;
   }
-  // Returns what an inside test of all of them costs. `top`: they are those of the object itself, and all of it is
-  // within each.
+  // Returns what an inside test of all of them costs. `top`: all of the object is within each.
   double add_children(CsgNode& n, std::span<const std::unique_ptr<Shape>> children, bool top) {
     std::uint32_t indices[kMaxNodes];
     std::uint32_t* end = indices;

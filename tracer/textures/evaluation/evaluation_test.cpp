@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "tracer/functions/function.h"
+
 namespace verisim::textures {
 namespace evaluation_test {
 
@@ -17,7 +19,7 @@ std::vector<scene::PigmentPtr> pigments() {
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<scene::PigmentPtr> all;
   for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion,
-                                        radial, leopard, crackle, spherical}) {
+                                        radial, leopard, crackle, spherical, checker}) {
     for (int variant = 0; variant < 12; ++variant) {
       scene::Pigment d;
       d.pattern.kind = kind;
@@ -134,12 +136,38 @@ std::vector<scene::PigmentPtr> pigments_of_few_colors() {
   return all;
 }
 
+// Patterns that ask pigments and functions, these within each other, too, deeper than batches go.
+std::vector<scene::PigmentPtr> pigments_of_others() {
+  const std::vector<scene::PigmentPtr> leaves = pigments();
+  std::vector<scene::PigmentPtr> all;
+  for (std::size_t i = 0; i < leaves.size(); i += 5) {
+    scene::PigmentPtr inner = leaves[i];
+    for (int depth = 0; depth < (i % 15 == 0 ? 12 : 2); ++depth) {
+      scene::Pigment d;
+      const bool asks_function = (i + static_cast<std::size_t>(depth)) % 2 == 0;
+      d.pattern.kind = asks_function ? function : pigment_pattern;
+      if (asks_function)
+        d.pattern.params = scene::FunctionParams{pigment_function(inner, Settings{})};
+      else
+        d.pattern.params = scene::PigmentPatternParams{inner};
+      if (depth == 0) d.pattern.frequency = 3, d.pattern.wave = static_cast<scene::Wave>(i % 6);
+      d.pattern.prepend(Transform::scaling(Vec3(0.9, 1.2, 0.8)));
+      d.color_map =
+          std::make_shared<const scene::ColorMap>(scene::ColorMap{{0, Color(0.1f, 0.3f, 0)}, {1, Color(1, 0.9f, 2)}});
+      inner = std::make_shared<const scene::Pigment>(d);
+    }
+    all.push_back(inner);
+  }
+  return all;
+}
+
 TEST(Evaluation, GivesRowsTheBitsOfPoints) {
   std::mt19937 random(9);
   Compiler compiler{Settings{}};
   std::vector<scene::PigmentPtr> all = pigments();
   for (const scene::PigmentPtr& nested : nested_pigments()) all.push_back(nested);
   for (const scene::PigmentPtr& few : pigments_of_few_colors()) all.push_back(few);
+  for (const scene::PigmentPtr& other : pigments_of_others()) all.push_back(other);
   for (const scene::PigmentPtr& description : all) {
     const CompiledPigment& pigment = *compiler.pigment(description);
     for (int round = 0; round < 12; ++round) {
@@ -162,6 +190,26 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
         for (int i = 0; i < count; ++i)
           ASSERT_EQ(Rgb(rgb.r[i], rgb.g[i], rgb.b[i]), colors[i].rgb())
               << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);
+      }
+    }
+  }
+}
+
+TEST(Evaluation, GivesManyPointsOfFunctionsTheBitsOfOne) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> coordinate(-3, 3);
+  for (const scene::PigmentPtr& description : nested_pigments()) {
+    const FunctionPtr function = pigment_function(description, Settings{});
+    for (const std::size_t count : {1, 2, 64, 65, 200}) {
+      const std::size_t stride = count + 3;
+      std::vector<double> points(3 * stride), values(5 * stride);
+      for (double& x : points) x = coordinate(random);
+      function->evaluate_batch(points.data(), stride, count, values.data());
+      for (std::size_t k = 0; k < count; ++k) {
+        const double at[3] = {points[k], points[stride + k], points[2 * stride + k]};
+        double single[5];
+        function->evaluate(at, single);
+        for (std::size_t c = 0; c < 5; ++c) ASSERT_EQ(values[c * stride + k], single[c]) << k << " of " << count;
       }
     }
   }

@@ -4,8 +4,8 @@
 namespace verisim::textures {
 namespace {
 
-bool odd(double integer) { return std::fmod(integer, 2) != 0; }
 double fraction(double v) { return v - std::floor(v); }
+bool odd(double integer) { return fraction(0.5 * integer) != 0; }
 
 }  // namespace
 

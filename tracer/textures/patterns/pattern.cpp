@@ -1,5 +1,7 @@
 #include "tracer/textures/patterns/pattern.h"
 
+#include <cstddef>
+
 #include "tracer/functions/function.h"
 #include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/formulas.h"
@@ -14,9 +16,9 @@ double dents(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
   return n * n * n;
 }
 
+double below_one(double v) { return v > 1 ? std::fmod(v, 1.0) : v; }
 double function(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
-  const double v = (*c.as<scene::FunctionParams>().function)(p.x, p.y, p.z);
-  return v > 1 ? std::fmod(v, 1.0) : v;
+  return below_one((*c.as<scene::FunctionParams>().function)(p.x, p.y, p.z));
 }
 
 double object(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
@@ -26,6 +28,21 @@ double object(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
 double pigment_pattern(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
   Color color;
   return evaluate(*c.as<PigmentData>().pigment, p, surface, color) ? color.grey() : 0.0f;
+}
+
+void function_batch(const Function& function, int count, const PointBatch& points, double* v) {
+  static_assert(offsetof(PointBatch, y) == sizeof(PointBatch::x) &&
+                offsetof(PointBatch, z) == 2 * sizeof(PointBatch::x));
+  alignas(64) double values[kMaxFunctionComponents * PointBatch::kMax];
+  function.evaluate_batch(points.x, PointBatch::kMax, static_cast<std::size_t>(count), values);
+  for (int i = 0; i < count; ++i) v[i] = below_one(values[i]);
+}
+void pigment_pattern_batch(const CompiledPigment& pigment, int count, const PointBatch& points,
+                           const SurfacePoint* const* surfaces, double* v) {
+  Color colors[PointBatch::kMax];
+  bool colored[PointBatch::kMax];
+  evaluate(pigment, count, points, surfaces, colors, colored);
+  for (int i = 0; i < count; ++i) v[i] = colored[i] ? colors[i].grey() : 0.0f;
 }
 
 double image_pattern(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
@@ -52,6 +69,23 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
 #undef VERISIM_PATTERN
   }
   return 0;
+}
+
+bool formulas_of_others(const CompiledPattern& c, int count, const PointBatch& points,
+                        const SurfacePoint* const* surfaces, double* v) {
+  using enum scene::PatternKind;
+  if (c.kind != function && c.kind != pigment_pattern) return false;
+  // Patterns within patterns: a batch takes some kilobytes of stack.
+  constexpr int kDeepest = 8;
+  static thread_local int depth = 0;
+  if (depth == kDeepest) return false;
+  ++depth;
+  if (c.kind == function)
+    formulas::function_batch(*c.as<scene::FunctionParams>().function, count, points, v);
+  else
+    formulas::pigment_pattern_batch(*c.as<PigmentData>().pigment, count, points, surfaces, v);
+  --depth;
+  return true;
 }
 
 bool worth_remembering(const CompiledPattern& c) {

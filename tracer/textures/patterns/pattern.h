@@ -10,6 +10,7 @@
 #include "tracer/textures/patterns/density_file.h"
 #include "tracer/textures/patterns/pavement.h"
 #include "tracer/textures/patterns/tiling.h"
+#include "tracer/textures/point_batch.h"
 #include "tracer/textures/texture.h"
 #include "tracer/textures/warp.h"
 
@@ -93,6 +94,10 @@ Vec3 warped(const CompiledPattern& pattern, const Vec3& p);
 double value_at(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
 // The formula alone, of the patterns that evaluation.inc does not know.
 double formula(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
+// The same of a batch, filled up, for patterns that ask a function or a pigment. False: this is another one, or the
+// batches are nested too deep.
+bool formulas_of_others(const CompiledPattern& pattern, int count, const PointBatch& warped_points,
+                        const SurfacePoint* const* surfaces, double* values);
 
 // The warped point and the value there.
 struct PatternValue {

@@ -101,6 +101,11 @@ int nothing_to_reduce(const compare::Reduction& small, double seconds) {
                  seconds / 3);
     return kDifferent;
   }
+  if (!small.difference.message.empty()) {
+    std::printf("verisim and POV-Ray both refuse the scene: there is nothing to reduce\n%s\n",
+                small.difference.message.c_str());
+    return kOk;
+  }
   std::printf("verisim and POV-Ray draw the same picture%s: there is nothing to reduce\n",
               small.random ? " where both draw the same random numbers (--replay)" : "");
   return kOk;

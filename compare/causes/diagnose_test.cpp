@@ -244,6 +244,13 @@ TEST(Diagnose, SurfacesInOnePlace) {
   EXPECT_THAT(all[0].detail, HasSubstr("box (s.pov:2)"));
 }
 
+TEST(Diagnose, WhereAnEffectIsSeen) {
+  const PixelTags tags = with_tag("effect", "photons");
+  const std::vector<Suspicion> all = diagnose(scene(), with_white_pixels(), nullptr, &tags);
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all[0].what, "photons");
+}
+
 TEST(Diagnose, AnObjectOfWhichOnlyTheBoxIsMet) {
   const PixelTags tags = with_tag("passed object", "sor (s.pov:7)");
   const std::vector<Suspicion> all = diagnose(scene(), with_white_pixels(), nullptr, &tags);

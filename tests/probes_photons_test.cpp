@@ -19,6 +19,9 @@ std::string mirror(const std::string& look, const std::string& light = "1") {
          " photons{target refraction off reflection on collect off}}";
 }
 
+const std::string kPane =
+    "object{box{<-3,0,-3>,<3,.1,3> pigment{rgbf 1} photons{target refraction on reflection off collect off}}}";
+
 struct Way {
   std::string name;
   int level;             // max_trace_level
@@ -106,6 +109,18 @@ INSTANTIATE_TEST_SUITE_P(
             "interior{ior 1.3} photons{target refraction on reflection on collect off}}}",
             184,
             {88.0137, 88.0137, 88.0137}},
+        Way{"FromWithinTheFalloffAlone",  // the radius is 30
+            5,
+            "",
+            "light_source{<0,5,0>,1 spotlight falloff 15 point_at 0} " + kPane,
+            132,
+            {10.8906, 10.8906, 10.8906}},
+        Way{"OfADimLightAsOfABrightOne",
+            5,
+            "",
+            "light_source{<0,5,0>,.01 spotlight radius 0 falloff 25 tightness 190 point_at 0} " + kPane,
+            224,
+            {0.0163955, 0.0163955, 0.0163955}},
         Way{"LayersCountTwice",
             2,
             "",

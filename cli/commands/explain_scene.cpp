@@ -98,8 +98,13 @@ int nothing_to_reduce(const compare::Reduction& small, double seconds) {
     std::fprintf(stderr,
                  "verisim explain: a program came to no end within %.0f s; --seconds N gives more time, a smaller "
                  "picture (+W, +H) needs less\n",
-                 seconds / 2);
+                 seconds / 3);
     return kDifferent;
+  }
+  if (!small.difference.message.empty()) {
+    std::printf("verisim and POV-Ray both refuse the scene: there is nothing to reduce\n%s\n",
+                small.difference.message.c_str());
+    return kOk;
   }
   std::printf("verisim and POV-Ray draw the same picture%s: there is nothing to reduce\n",
               small.random ? " where both draw the same random numbers (--replay)" : "");
@@ -129,7 +134,8 @@ int reduce(const compare::SceneRequest& scene, compare::RunOptions run, const Sc
   again.switches.insert(again.switches.end(), small.frame.switches.begin(), small.frame.switches.end());
   run.replay = small.replay;
   run.runs = 1;
-  run.native_time_limit = run.oracle.time_limit = std::max(5.0, o.seconds - small.seconds);
+  constexpr double kRenders = 3;  // ours twice, POV-Ray's twice, some of them side by side
+  run.native_time_limit = run.oracle.time_limit = std::max(2.0, (o.seconds - small.seconds) / kRenders);
   const int status = suspects({{again}, {}}, run);
   return status == kOk ? kDifferent : status;  // what the verdict forgives is a difference all the same
 }

@@ -181,6 +181,11 @@ void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContex
   if (!gathering_ && depth_ == 1 && at.inside_hit) add("feature", "a surface seen from inside");
 }
 
+void TagWitness::indirect(const char* effect, const Rgb& light) {
+  parts_.indirect(effect, light);
+  if (!gathering_ && light.max_abs() > 0) add("effect", effect);
+}
+
 void TagWitness::light(const shading::Light& light, const shading::LightDirection& direction, bool tested,
                        const Rgb& arriving, const Rgb& added, const Rgb& highlight) {
   parts_.light(light, direction, tested, arriving, added, highlight);

@@ -29,7 +29,7 @@ class TagWitness : public shading::Observer {
   void layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) override;
   void light(const shading::Light& light, const shading::LightDirection& direction, bool tested, const Rgb& arriving,
              const Rgb& added, const Rgb& highlight) override;
-  void indirect(const char* effect, const Rgb& light) override { parts_.indirect(effect, light); }
+  void indirect(const char* effect, const Rgb& light) override;
   void texture_started(float weight) override { parts_.texture_started(weight); }
   void texture_ended() override { parts_.texture_ended(); }
   void rays_added(const Rgb& seen) override { parts_.rays_added(seen); }

@@ -21,11 +21,14 @@ Pixel mean_of(const Values& v, int x0, int y0, int side) {
   return sum;
 }
 
-// Whether the pixels that are wrong by a good part of the largest difference had, or have, hardly more than one colour.
-bool of_few_colors(const Case& c) {
+// Whether the pixels that are wrong by a good part of the largest difference are few, or had, or have, hardly more than
+// one colour.
+bool few_to_fit(const Case& c) {
   constexpr std::size_t kFew = 4;
+  constexpr std::ptrdiff_t kFewPixels = 24;
   constexpr float kGoodPart = 0.01f;  // of the squared difference
   const float most = c.squared.empty() ? 0 : *std::max_element(c.squared.begin(), c.squared.end());
+  if (std::ranges::count_if(c.squared, [&](float v) { return v > kGoodPart * most; }) < kFewPixels) return true;
   const auto few = [&](const Pixels& picture) {
     std::set<std::array<int, 3>> colors;
     for (std::size_t i = 0; i < c.size() && colors.size() < kFew; ++i)
@@ -64,7 +67,7 @@ Case::Case(const Picture& a, const Picture& b, const Tags& known)
       wrong_count += wrong.back(), total += squared.back();
     }
   constexpr double kUntested = 0.25;
-  if (tags.any() && !tags.both() && of_few_colors(*this)) tested = kUntested;
+  if (tags.any() && !tags.both() && few_to_fit(*this)) tested = kUntested;
 }
 
 Suspicion Case::repaired(std::string what, std::string detail, const Pixels& predicted, double weight) const {

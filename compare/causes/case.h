@@ -46,7 +46,8 @@ class Case {
   std::vector<float> squared;  // of the difference, of each pixel
   Mask wrong;                  // beyond `limit`
   double total = 0, limit = 0;
-  // Any formula fits wrong pixels of hardly more than one colour: where what they show is known, formulas count less.
+  // Any formula fits few wrong pixels, or those of hardly more than one colour: where what they show is known, formulas
+  // count less.
   double tested = 1;
   std::size_t wrong_count = 0, nan_count = 0;
   Tags tags;

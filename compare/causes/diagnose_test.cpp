@@ -219,5 +219,54 @@ TEST(Diagnose, OnePixelAndNan) {
   EXPECT_THROW(diagnose(scene(), constant_picture(1, 1, 0, 0, 0)), PictureMismatch);
 }
 
+// What verisim says of its pixels: every pixel has the first tag, those in columns 10 to 39 the second, too.
+PixelTags with_tag(const std::string& kind, const std::string& name) {
+  PixelTags tags;
+  tags.width = 96, tags.height = 72;
+  tags.tags = {{"object", "box (s.pov:1)"}, {kind, name}};
+  tags.sets = {{0}, {0, 1}};
+  for (int i = 0; i < 96 * 72; ++i) tags.set_of.push_back(i % 96 >= 10 && i % 96 < 40);
+  return tags;
+}
+// Five pixels of those columns become white.
+Picture with_white_pixels() {
+  Picture test = scene();
+  for (const int x : {12, 17, 23, 29, 38})
+    for (int c = 0; c < 3; ++c) test.samples[static_cast<std::size_t>((3 * x * 96 / 3 + x) * 3 + c)] = 1;
+  return test;
+}
+
+TEST(Diagnose, SurfacesInOnePlace) {
+  const PixelTags tags = with_tag("coincidence", "box (s.pov:1) and box (s.pov:2)");
+  const std::vector<Suspicion> all = diagnose(scene(), with_white_pixels(), nullptr, &tags);
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all[0].what, "coincident surfaces");
+  EXPECT_THAT(all[0].detail, HasSubstr("box (s.pov:2)"));
+}
+
+TEST(Diagnose, WhereAnEffectIsSeen) {
+  const PixelTags tags = with_tag("effect", "photons");
+  const std::vector<Suspicion> all = diagnose(scene(), with_white_pixels(), nullptr, &tags);
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all[0].what, "photons");
+}
+
+TEST(Diagnose, AnObjectOfWhichOnlyTheBoxIsMet) {
+  const PixelTags tags = with_tag("passed object", "sor (s.pov:7)");
+  const std::vector<Suspicion> all = diagnose(scene(), with_white_pixels(), nullptr, &tags);
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all[0].what, "object missing");
+  EXPECT_THAT(all[0].detail, HasSubstr("sor (s.pov:7)"));
+}
+
+TEST(Diagnose, AFewPixelsOfOneColorFitNoFormula) {
+  const PixelTags tags = with_tag("shape", "sphere");
+  Picture test = scene();
+  for (int x = 12; x < 20; ++x)
+    for (int c = 0; c < 3; ++c) test.samples[static_cast<std::size_t>((40 * 96 + x) * 3 + c)] = 0;
+  for (const Suspicion& s : diagnose(scene(), test, nullptr, &tags))
+    EXPECT_THAT(s.what, testing::Not(testing::AnyOf("brightness", "clipped", "pixelation", "part shifted", "zoom")));
+}
+
 }  // namespace
 }  // namespace verisim::compare

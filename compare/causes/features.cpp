@@ -28,7 +28,11 @@ double excess(const Case& c, const Mask& mask) {
   return (wrong - right) * (1 - std::pow(right, static_cast<double>(with)));
 }
 
+// An effect says more than where it is seen: photons, radiosity, subsurface.
+constexpr double kEffect = 0.85, kOther = 0.65;
+
 const char* suspect_of(const PixelTags::Tag& tag) {
+  if (tag.kind == "effect") return tag.name.c_str();
   if (tag.kind == "texture") return tag.name.starts_with("normal") ? "normals" : "texture";
   if (tag.kind == "light") return tag.name.starts_with("in the shadow") ? "shadows" : "light";
   if (tag.kind == "feature") return tag.name.starts_with("noise") ? "noise functions" : "feature";
@@ -49,8 +53,8 @@ void suspect_features(const Case& c, Suspicions& out) {
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
     const double strength = std::max(correlation(c, mask), excess(c, mask));
     if (strength < 0.3) continue;
-    Suspicion s = c.placed(what, tag.name, mask, 1);
-    s.sure = 0.65 * strength * std::sqrt(s.explained);
+    Suspicion s = c.placed(what, tag.kind == "effect" ? "seen where pixels are wrong" : tag.name, mask, 1);
+    s.sure = (tag.kind == "effect" ? kEffect : kOther) * strength * std::sqrt(s.explained);
     out.push_back(std::move(s));
   }
 }

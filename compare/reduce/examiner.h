@@ -22,7 +22,7 @@ struct Difference {
   Kind kind = Kind::none;
   std::size_t pixels = 0;  // that differ by more than `limit` code values
   double limit = 1, largest = 0;
-  std::string message;  // of who refuses or crashes
+  std::string message;  // of who refuses or crashes; of none: POV-Ray's, where both refuse
   int x = 0, y = 0;     // the worst pixel where most of them are
 };
 

@@ -69,7 +69,7 @@ class Reduce {
   bool late() const { return cancelled() || left() < reserve_; }
 
   void examine_whole() {
-    Examination whole = examiner_.examine(out_.text, out_.frame, out_.replay, options_.seconds / 2);
+    Examination whole = examiner_.examine(out_.text, out_.frame, out_.replay, options_.seconds / 3);
     if (whole.random && !out_.replay) {  // what differs with the same random numbers can be told
       out_.random = out_.replay = true;
       whole = examiner_.examine(out_.text, out_.frame, true, std::max(1.0, options_.seconds / 2 - elapsed()));
@@ -77,7 +77,7 @@ class Reduce {
     out_.difference = out_.left = target_ = whole.difference;
     cost_ = whole.native_seconds + whole.oracle_seconds;
     // For the last look at the whole picture, and for who looks for suspects in it.
-    reserve_ = std::min(options_.seconds / 3, 4 + 3 * cost_);
+    reserve_ = std::min(options_.seconds / 3, 7 + 4 * cost_);
   }
 
   // A part of the picture, or a small one, costs less.
@@ -90,7 +90,8 @@ class Reduce {
       frames.push_back({std::max(16, scene_.width / factor), std::max(16, scene_.height / factor), {}});
     std::vector<Examination> seen(frames.size());
     for_each(frames.size(), [&](std::size_t i) {
-      seen[i] = examiner_.examine(out_.text, frames[i], out_.replay, candidate_limit(), &target_);
+      const double limit = std::min(candidate_limit(), options_.seconds / 4);
+      seen[i] = examiner_.examine(out_.text, frames[i], out_.replay, limit, &target_);
     });
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Difference& d = seen[i].difference;
@@ -114,7 +115,7 @@ class Reduce {
     return out;
   }
 
-  double candidate_limit() const { return std::clamp(2 + 4 * cost_, 1.0, std::max(1.0, left() - reserve_ / 2)); }
+  double candidate_limit() const { return std::clamp(2 + 4 * cost_, 0.5, std::max(0.5, left() - reserve_)); }
 
   void for_each(std::size_t count, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next{0};
@@ -179,13 +180,13 @@ class Reduce {
   void check_whole_picture() {
     const Frame whole{scene_.width, scene_.height, {}};
     if (cancelled()) return;
-    const double limit = std::max(1.0, left() - reserve_ / 2);
-    Examination last = examiner_.examine(out_.text, whole, out_.replay, limit, &out_.difference);
+    const auto limit = [this] { return std::max(1.0, left() / 3); };
+    Examination last = examiner_.examine(out_.text, whole, out_.replay, limit(), &out_.difference);
     if (last.difference.kind == out_.difference.kind) {
       out_.frame = whole, out_.left = last.difference;
       return;
     }
-    last = examiner_.examine(out_.text, out_.frame, out_.replay, limit, &target_);
+    last = examiner_.examine(out_.text, out_.frame, out_.replay, limit(), &target_);
     out_.left = last.difference;
   }
 

@@ -99,6 +99,12 @@ TEST_F(Reduce, NothingWhereBothAgree) {
   EXPECT_EQ(r.tried, 0u);
 }
 
+TEST_F(Reduce, NothingWhereBothRefuse) {
+  const Reduction r = reduced(kRest + "lathe { 3 }\npolygon { 3 }\n");
+  EXPECT_EQ(r.difference.kind, Difference::Kind::none);
+  EXPECT_THAT(r.difference.message, HasSubstr("no lathe"));
+}
+
 TEST_F(Reduce, IncludeFilesBesideTheScene) {
   scene("shapes/part.inc", kRest + "torus { 1, 0.2 }\n");
   const Reduction r = reduced("#include \"shapes/part.inc\"\n" + kRest);

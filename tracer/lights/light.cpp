@@ -116,7 +116,11 @@ double Light::cylinder(const Vec3& p, const Vec3& centre) const {
 }
 
 double Light::emission(const Vec3& origin, const Vec3& direction) const {
-  return profile(origin + direction, {-direction, 1.0}, source_->position);
+  // Photons keep within the falloff of a spotlight, be its radius wider or not; illumination reaches to the wider one
+  // (spec 07 3.5).
+  const bool outside =
+      source_->kind == scene::LightKind::spotlight && dot(direction, source_->direction) < cos_falloff_;
+  return outside ? 0 : profile(origin + direction, {-direction, 1.0}, source_->position);
 }
 
 Light::Axes Light::axes(const Vec3& l) const {

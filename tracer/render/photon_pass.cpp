@@ -128,8 +128,9 @@ class Shooter {
 
   // The packet carries what the light sends this way; fading is part of what is stored. False: nothing.
   static bool leaves(const global::PhotonStart& start, const shading::Light& light, Ray& ray, Rgb& color) {
-    color = light.color() * start.energy * static_cast<float>(light.emission(ray.origin, ray.direction));
-    if (color.max_abs() < 1e-5f) return false;
+    const double attenuation = light.emission(ray.origin, ray.direction);
+    if (attenuation < 1e-5) return false;  // whatever the light's colour is
+    color = light.color() * start.energy * static_cast<float>(attenuation);
     if (const shapes::Shape* projector = light.projector()) {
       shapes::HitList hits;
       projector->intersect_all(ray, shapes::RayKind::photon, hits);

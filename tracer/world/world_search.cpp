@@ -117,7 +117,7 @@ std::vector<const scene::Object*> World::passed(const Ray& ray, RayKind kind, do
         !clip_to_box(ray, entry.shape->bounds(), from, to))
       continue;
     Hit hit;
-    if (!entry.shape->intersect(ray, kind, 0, t_max, hit)) out.push_back(entry.object);
+    if (!entry.shape->intersect(ray, kind, 0, with_coincident(t_max), hit)) out.push_back(entry.object);
   }
   return out;
 }

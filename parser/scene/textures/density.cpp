@@ -17,6 +17,13 @@ scene::DensityPtr plain_white() {
   return density;
 }
 
+// Without a type it takes maps, which mean nothing.
+scene::DensityPtr untyped() {
+  auto density = std::make_shared<Density>();
+  density->color = {0, 0, 0};
+  return density;
+}
+
 void read_list(Parser& parser, Density& density, int size) {
   density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white,
                                                             [&] { return parse_density(parser); });
@@ -74,7 +81,7 @@ bool parse_modifier(Parser& parser, Density& density) {
 
 scene::DensityPtr parse_density_body(Parser& parser) {
   const Parser::Depth depth(parser);
-  scene::DensityPtr original = std::make_shared<Density>();  // white; without a type it takes maps, which mean nothing
+  scene::DensityPtr original = untyped();
   if (const auto* value = parser.accept_value<scene::DensityPtr>()) original = *value;
   auto density = std::make_shared<Density>(*original);
   if (parser.at(Word::uv_mapping)) {

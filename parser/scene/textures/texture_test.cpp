@@ -172,6 +172,8 @@ TEST(Textures, MapsWithoutAType) {
   EXPECT_EQ(first_error("#default{normal{}} union{light_source{0,1} sphere{0,1 normal{bumps}}}"), "");
   EXPECT_EQ(first_error("#default{normal{}} light_source{0,1 looks_like{sphere{0,1}}}"), "No normal type given.");
   const std::string media = "sphere{0,1 hollow interior{media{density{";
+  const auto sphere = sphere_with("hollow interior{media{density{color_map{[0 rgb 1]}}}}");
+  EXPECT_EQ(sphere->interior->media[0].densities[0]->color, Color(0, 0, 0));
   EXPECT_EQ(first_error(media + "color_map{[0 rgb 1]}}}}}"), "");
   EXPECT_EQ(first_error(media + "density_map{[0 rgb 1]}}}}}"), "");
   EXPECT_EQ(first_error(media + "rgb 1 color_map{[0 rgb 1]}}}}}"), "Cannot use color_map with this pattern type.");

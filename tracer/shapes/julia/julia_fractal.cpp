@@ -1,6 +1,7 @@
 // julia_fractal (spec 04 section 8): marching with distance estimates, then bisection. The hit depends on the whole
 // sequence of steps, so it is followed exactly.
 #include <cmath>
+#include <utility>
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/julia/julia_map.h"
@@ -22,16 +23,31 @@ constexpr int kMaxIterations = 1 << 20;
 class Orbit {
  public:
   explicit Orbit(int length) {
-    if (length > kShort) heap_ = std::make_unique<Number[]>(static_cast<std::size_t>(length)), at_ = heap_.get();
+    if (length > kShort) heap_ = std::make_unique<Step[]>(static_cast<std::size_t>(length)), at_ = heap_.get();
   }
-  Number& operator[](int i) { return at_[i]; }
-  const Number& operator[](int i) const { return at_[i]; }
+  const Number& operator[](int i) const { return at_[i].h; }
+  void set(int i, const Number& h) { at_[i].h = h, at_[i].mapped = false; }
+  // f(hi), if it was computed on the way to the next.
+  void set_image(int i, const Number& image) { at_[i].image = image, at_[i].mapped = true; }
+  const Number* image(int i) const { return at_[i].mapped ? &at_[i].image : nullptr; }
+  // Few ask for the last iterate of a point that stays: it comes from this one, hN-1 of the last such point.
+  void leave_last(const Number& before) { before_last_ = before, last_is_left_ = true; }
+  template <class Next>
+  void complete(int last, Next&& next) {
+    if (std::exchange(last_is_left_, false)) set(last, next(before_last_));
+  }
 
  private:
+  struct Step {
+    Number h, image;
+    bool mapped;
+  };
   static constexpr int kShort = 64;
-  alignas(Number) std::byte stack_[kShort * sizeof(Number)];  // not initialised: only what was computed is read
-  std::unique_ptr<Number[]> heap_;
-  Number* at_ = reinterpret_cast<Number*>(stack_);
+  alignas(Step) std::byte stack_[kShort * sizeof(Step)];  // not initialised: only what was computed is read
+  std::unique_ptr<Step[]> heap_;
+  Step* at_ = reinterpret_cast<Step*>(stack_);
+  Number before_last_;
+  bool last_is_left_ = false;
 };
 
 double bounding_radius(const scene::JuliaFractal& f) {
@@ -115,6 +131,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     const int escaped = iterate(orbit, start(local(hit.point), !plain_));
     // Iterates beyond an early escape do not exist; the last one stands for them.
     const int last = escaped > 0 ? escaped - 1 : field_.iterations;
+    if (escaped == 0) complete(orbit);
     const Vec3 n = f_.hypercomplex ? hypercomplex_normal(orbit, last) : quaternion_normal(orbit, last);
     return world_normal(n);
   }
@@ -144,6 +161,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   // The normal at a hit from which the iteration escapes: `orbit` still holds what the search left behind the escape.
   KeptNormal keep_normal(Orbit& orbit, const Vec3& point) const {
     if (iterate(orbit, start(local(point), !plain_)) == 0) return KeptNormal();
+    complete(orbit);
     return KeptNormal(world_normal(hypercomplex_normal(orbit, field_.iterations)));
   }
 
@@ -272,26 +290,41 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
         return work.template operator()<Kind::other>();
     }
   }
-  // Fills the orbit; the step i >= 1 at which it escaped, or 0.
+  // Fills the orbit but for the last iterate; the step i >= 1 at which it escaped, or 0.
   int iterate(Orbit& orbit, const Number& h0) const {
     return with_kind([&]<Kind K>() {
       Number h = h0;
-      orbit[0] = h;
-      for (int i = 1; i <= field_.iterations; ++i) {
+      orbit.set(0, h);
+      for (int i = 1;; ++i) {
         if (h.norm2() > field_.escape) return i;
-        orbit[i] = h = next<K>(h);
+        if (i == field_.iterations) break;
+        if constexpr (K == Kind::other) {
+          const Number image = julia::apply(f_.function, f_.exponent, h);
+          orbit.set_image(i - 1, image);
+          h = image + field_.parameter;
+        } else {
+          h = next<K>(h);
+        }
+        orbit.set(i, h);
       }
+      orbit.leave_last(h);
+      return 0;
+    });
+  }
+  void complete(Orbit& orbit) const {
+    with_kind([&]<Kind K>() {
+      orbit.complete(field_.iterations, [&](const Number& h) { return next<K>(h); });
       return 0;
     });
   }
   bool plain_inside(const Vec3& p) const {
     return with_kind([&]<Kind K>() {
       Number h = start(p, !plain_);
-      for (int i = 1; i <= field_.iterations; ++i) {
+      for (int i = 1;; ++i) {
         if (h.norm2() > field_.escape) return false;
+        if (i == field_.iterations) return true;
         h = next<K>(h);
       }
-      return true;
     });
   }
 
@@ -352,7 +385,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
         estimate = estimate * (q - 1) > field_.precision ? estimate * std::log(q) : field_.precision;
         return false;
       }
-      h = next<K>(h);
+      if (i < field_.iterations) h = next<K>(h);
     }
     estimate = field_.precision;
     return true;
@@ -403,8 +436,10 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
           m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
           break;
         }
-        default:
-          m = product(julia::apply(f_.function, f_.exponent, orbit[j]), m);
+        default: {
+          const Number* const image = orbit.image(j);
+          m = product(image ? *image : julia::apply(f_.function, f_.exponent, orbit[j]), m);
+        }
       }
     }
     return m;

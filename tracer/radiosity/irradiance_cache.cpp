@@ -23,6 +23,19 @@ bool IrradianceCache::include_in_root(const LatticeCell& cell) {
   return changed;
 }
 
+IrradianceTree::Entry IrradianceCache::entry(std::uint32_t index) const {
+  const IrradianceSample& sample = samples_[index];
+  const DoubledCell& cell = doubled_cells_[index];
+  const double radius = sample.mean_distance * widest_bound_ * std::ldexp(1.0, sample.depth) * (1.0 + 1e-9);
+  Box3 within;
+  for (int a = 0; a < 3; ++a) {
+    within.min[a] = std::max(sample.point[a] - radius, cell.center[a] - cell.half);
+    within.max[a] = std::min(sample.point[a] + radius, cell.center[a] + cell.half);
+  }
+  const float widest = std::max(sample.mean_distance, sample.nearest_distance);
+  return {sample.point, sample.normal, sample.mean_distance, widest, radius, within};
+}
+
 void IrradianceCache::add(const IrradianceSample& sample) {
   const double shrink = sample.depth == 0 ? 1.0 : 8.0, scale = std::ldexp(1.0, sample.depth);
   const double reach = static_cast<double>(sample.mean_distance) * error_bound_ * scale / shrink;
@@ -58,15 +71,7 @@ void IrradianceCache::add(const IrradianceSample& sample) {
   samples_.push_back(sample);
   doubled_cells_.push_back(r);
   if (static_cast<int>(depths_.size()) <= sample.depth) depths_.resize(static_cast<std::size_t>(sample.depth) + 1);
-  const double radius = sample.mean_distance * widest_bound_ * scale * (1.0 + 1e-9);
-  Box3 within;
-  for (int a = 0; a < 3; ++a) {
-    within.min[a] = std::max(p[a] - radius, r.center[a] - r.half);
-    within.max[a] = std::min(p[a] + radius, r.center[a] + r.half);
-  }
-  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance,
-                                                            std::max(sample.mean_distance, sample.nearest_distance),
-                                                            radius, within});
+  depths_[static_cast<std::size_t>(sample.depth)].tree.add(index, [this](std::uint32_t i) { return entry(i); });
   if (include_in_root(cell)) {
     for (Depth& d : depths_) d.in_root.clear();
   }

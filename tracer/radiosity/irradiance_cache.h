@@ -98,6 +98,7 @@ class IrradianceCache {
   };
 
   bool include_in_root(const LatticeCell& cell);
+  IrradianceTree::Entry entry(std::uint32_t index) const;  // of a sample, for its tree
 
   double error_bound_, widest_bound_;
   std::uint64_t memory_limit_ = std::numeric_limits<std::uint64_t>::max();

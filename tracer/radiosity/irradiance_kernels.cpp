@@ -1,4 +1,5 @@
 #include "tracer/radiosity/irradiance_packet.h"
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -16,30 +17,56 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-std::size_t near(const IrradiancePacket* packet, std::size_t count, const IrradianceQuery& query,
+// Eight whole numbers.
+HWY_INLINE FloatPacket whole(const std::int16_t* p) {
+  constexpr int kVectors = FloatPacket::kVectors;
+  const hn::Rebind<std::int16_t, FloatPacket::D> narrow;
+  const hn::Rebind<std::int32_t, FloatPacket::D> wide;
+  FloatPacket r;
+  VERISIM_EACH_VECTOR r.v[i] =
+      hn::ConvertTo(FloatPacket::D(), hn::PromoteTo(wide, hn::LoadU(narrow, p + i * FloatPacket::kLanes)));
+  return r;
+}
+// Eight numbers of which the upper halves of their bits are there.
+HWY_INLINE FloatPacket of_upper_halves(const std::uint16_t* p) {
+  constexpr int kVectors = FloatPacket::kVectors;
+  const hn::Rebind<std::uint16_t, FloatPacket::D> narrow;
+  const hn::Rebind<std::uint32_t, FloatPacket::D> wide;
+  FloatPacket r;
+  VERISIM_EACH_VECTOR r.v[i] = hn::BitCast(
+      FloatPacket::D(), hn::ShiftLeft<16>(hn::PromoteTo(wide, hn::LoadU(narrow, p + i * FloatPacket::kLanes))));
+  return r;
+}
+
+// All lengths in the unit of the samples' points.
+std::size_t near(const IrradiancePacket* packets, std::size_t count, const IrradianceQuery& query,
                  std::uint32_t* samples) {
-  constexpr double kMargin = 1e-5;
   constexpr std::uint32_t kCount = IrradiancePacket::kCount;
-  const auto px = static_cast<float>(query.point.x), py = static_cast<float>(query.point.y),
-             pz = static_cast<float>(query.point.z);
-  const auto nx = static_cast<float>(query.normal.x), ny = static_cast<float>(query.normal.y),
-             nz = static_cast<float>(query.normal.z);
-  const auto most = static_cast<float>(query.bound * (1.0 + kMargin)),
-             rounding = static_cast<float>(2e-6 * query.farthest), one = static_cast<float>(1.0 - kMargin);
+  constexpr double kMargin = 1e-5, kTurned = 5e-5;  // the latter of cosines of rounded normals
+  const Vec3 point = query.point / query.unit, normal = query.normal / IrradiancePacket::kScale;
+  const double farthest =
+      std::max({IrradiancePacket::kScale, std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)});
+  const FloatPacket px = static_cast<float>(point.x), py = static_cast<float>(point.y),
+                    pz = static_cast<float>(point.z);
+  const FloatPacket nx = static_cast<float>(normal.x), ny = static_cast<float>(normal.y),
+                    nz = static_cast<float>(normal.z);
+  const FloatPacket most = static_cast<float>(query.bound * (1.0 + kMargin)),
+                    rounding = static_cast<float>(1.7321 + 2e-6 * farthest), one = static_cast<float>(1.0 - kTurned),
+                    units = static_cast<float>(1.0 / query.unit);
   std::size_t found = 0;
-  for (const IrradiancePacket* s = packet; s != packet + count; ++s) {
-    alignas(32) float near[kCount];  // 1: yes
-    for (std::uint32_t i = 0; i < kCount; ++i) {
-      const float dx = s->point[0][i] - px, dy = s->point[1][i] - py, dz = s->point[2][i] - pz;
-      const float reach = s->mean_distance[i] * most + rounding;
-      const float turn = one - (s->normal[0][i] * nx + s->normal[1][i] * ny + s->normal[2][i] * nz);
-      const float left = most - 2.0f * std::sqrt(turn > 0.0f ? turn : 0.0f);
-      const float within = s->widest[i] * left, widest = (within > 0.0f ? within : 0.0f) + rounding;
-      const float squared = dx * dx + dy * dy + dz * dz;
-      near[i] = ((squared <= reach * reach) & (squared <= widest * widest) & (0.0f <= left)) ? 1.0f : 0.0f;
-    }
-    for (unsigned met = bits(FloatPacket::load(near) > 0.0f); met != 0; met &= met - 1)
-      samples[found++] = s->sample[std::countr_zero(met)];
+  for (std::size_t first = 0; first < count; first += kCount) {
+    const IrradiancePacket& s = packets[first / kCount];
+    const auto along = [&s](int axis) VERISIM_INLINE_LAMBDA { return whole(s.point[axis]); };
+    const auto turned = [&s](int axis) VERISIM_INLINE_LAMBDA { return whole(s.normal[axis]); };
+    const FloatPacket dx = along(0) - px, dy = along(1) - py, dz = along(2) - pz;
+    const FloatPacket reach = of_upper_halves(s.mean_distance) * (units * most) + rounding;
+    const FloatPacket turn = one - (turned(0) * nx + turned(1) * ny + turned(2) * nz);
+    const FloatPacket left = most - 2.0f * sqrt(max(turn, FloatPacket(0.0f)));
+    const FloatPacket within = of_upper_halves(s.widest) * (units * left) + rounding;
+    const FloatPacket squared = dx * dx + dy * dy + dz * dz;
+    unsigned met = bits((squared <= reach * reach) & (squared <= within * within) & (FloatPacket(0.0f) <= left));
+    if (count - first < kCount) met &= (1u << (count - first)) - 1u;
+    for (; met != 0; met &= met - 1) samples[found++] = s.sample[std::countr_zero(met)];
   }
   return found;
 }

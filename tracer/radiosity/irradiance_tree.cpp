@@ -51,36 +51,39 @@ void IrradianceTree::grow(const Entry& entry) {
   }
 }
 
-void IrradianceTree::append(Leaf& leaf, const Vec3& center, std::uint32_t entry) {
-  const Entry& e = entries_[entry];
+void IrradianceTree::append(Leaf& leaf, const Cube& cube, std::uint32_t sample, const Entry& entry) {
   const std::uint32_t lane = leaf.count++ % IrradiancePacket::kCount;
   if (lane == 0) {
-    IrradiancePacket& fresh = leaf.lanes.emplace_back();
-    std::fill_n(fresh.point[0], IrradiancePacket::kCount, 1e18f);
-    ++lanes_;
+    // Not twice as much as is there: lists are many and short.
+    const std::size_t size = leaf.packets.size();
+    if (size == leaf.packets.capacity()) leaf.packets.reserve(size + size / 4 + 1);
+    leaf.packets.emplace_back();
+    ++packets_;
   }
-  IrradiancePacket& to = leaf.lanes.back();
-  const Vec3 p = e.point - center;
-  for (int a = 0; a < 3; ++a)
-    to.point[a][lane] = static_cast<float>(p[a]), to.normal[a][lane] = static_cast<float>(e.normal[a]);
-  to.mean_distance[lane] = e.mean_distance, to.widest[lane] = e.widest;
-  to.entry[lane] = entry, to.sample[lane] = e.sample;
-  leaf.farthest = std::max({leaf.farthest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  leaf.extents += e.extent();
+  const Vec3 p = entry.point - cube.center;
+  const double farthest = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  if (leaf.unit == 0) leaf.unit = std::max(cube.half / IrradiancePacket::kScale, 1e-300);
+  while (farthest > leaf.unit * IrradiancePacket::kScale) {
+    for (IrradiancePacket& packet : leaf.packets) packet.double_unit();
+    leaf.unit *= 2;
+  }
+  leaf.packets.back().set(lane, {p / leaf.unit, entry.normal, entry.mean_distance, entry.widest, sample});
+  leaf.extents += entry.extent();
 }
 
 // Eight leaves in place of one; the first of them in its room.
-IrradianceTree::Node IrradianceTree::split(Node leaf, const Cube& cube) {
+IrradianceTree::Node IrradianceTree::split(Node leaf, const Cube& cube, const Entries& entries) {
   const Leaf whole = std::move(leaves_[leaf.number]);
-  lanes_ -= whole.lanes.size();
+  packets_ -= whole.packets.size();
   leaves_[leaf.number] = Leaf();
   Branch branch;
   for (std::uint32_t octant = 0; octant < 8; ++octant) branch[octant] = octant == 0 ? leaf : add_leaf();
   for (std::uint32_t i = 0; i < whole.count; ++i) {
-    const std::uint32_t entry = whole.lanes[i / IrradiancePacket::kCount].entry[i % IrradiancePacket::kCount];
+    const std::uint32_t sample = whole.packets[i / IrradiancePacket::kCount].sample[i % IrradiancePacket::kCount];
+    const Entry entry = entries(sample);
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
       const Cube child = cube.child(octant);
-      if (meets(child, entries_[entry])) append(leaves_[branch[octant].number], child.center, entry);
+      if (meets(child, entry)) append(leaves_[branch[octant].number], child, sample, entry);
     }
   }
   branches_.push_back(branch);
@@ -89,27 +92,28 @@ IrradianceTree::Node IrradianceTree::split(Node leaf, const Cube& cube) {
   return node;
 }
 
-void IrradianceTree::insert(Node& node, const Cube& cube, std::uint32_t entry) {
-  if (!meets(cube, entries_[entry])) return;
+void IrradianceTree::insert(Node& node, const Cube& cube, std::uint32_t sample, const Entry& entry,
+                            const Entries& entries) {
+  if (!meets(cube, entry)) return;
   if (!node.leaf) {
     // By number: lists may grow below.
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
       Node child = branches_[node.number][octant];
-      insert(child, cube.child(octant), entry);
+      insert(child, cube.child(octant), sample, entry, entries);
       branches_[node.number][octant] = child;
     }
     return;
   }
   Leaf& leaf = leaves_[node.number];
-  append(leaf, cube.center, entry);
+  append(leaf, cube, sample, entry);
   if (leaf.count > kSmall && cube.half * leaf.count > leaf.extents && cube.half > 1e-9 * cube.reach())
-    node = split(node, cube);
+    node = split(node, cube, entries);
 }
 
-void IrradianceTree::add(const Entry& entry) {
+void IrradianceTree::add(std::uint32_t sample, const Entries& entries) {
+  const Entry entry = entries(sample);
   grow(entry);
-  entries_.push_back(entry);
-  insert(root_, root_cube_, static_cast<std::uint32_t>(entries_.size() - 1));
+  insert(root_, root_cube_, sample, entry, entries);
 }
 
 }  // namespace verisim::global

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "tracer/radiosity/irradiance_packet.h"
@@ -19,7 +20,6 @@ namespace verisim::global {
 class IrradianceTree {
  public:
   struct Entry {
-    std::uint32_t sample;  // number, for whoever asks
     Vec3 point, normal;
     float mean_distance, widest;  // what distances are measured by, and what at most
     double radius;                // of the ball that it reaches at most
@@ -28,14 +28,16 @@ class IrradianceTree {
       return 0.5 * std::max({within.max.x - within.min.x, within.max.y - within.min.y, within.max.z - within.min.z});
     }
   };
-  void add(const Entry& entry);
+  // Files the sample of this number. What the tree must know of those it has already it asks for again, rarely, instead
+  // of keeping it.
+  using Entries = std::function<Entry(std::uint32_t sample)>;
+  void add(std::uint32_t sample, const Entries& entries);
   // Calls visit(sample) for all whose distance r from x is below bound * mean_distance, and r / widest + 2 sqrt(1 -
   // cosine of the normals) below bound, and for some more.
   template <class Visit>
   void visit(const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const;
   std::size_t bytes() const {
-    return entries_.size() * sizeof(Entry) + leaves_.size() * sizeof(Leaf) + branches_.size() * sizeof(Branch) +
-           lanes_ * sizeof(IrradiancePacket);
+    return leaves_.size() * sizeof(Leaf) + branches_.size() * sizeof(Branch) + packets_ * sizeof(IrradiancePacket);
   }
 
  private:
@@ -58,28 +60,28 @@ class IrradianceTree {
     }
   };
   struct Leaf {
-    std::vector<IrradiancePacket> lanes;
-    std::uint32_t count = 0;           // of its samples
-    double farthest = 0, extents = 0;  // of these: largest coordinate relative to the centre, sum of extents
+    std::vector<IrradiancePacket> packets;
+    std::uint32_t count = 0;  // of its samples
+    double unit = 0;          // of their points
+    double extents = 0;       // their sum
   };
   static constexpr std::uint32_t kSmall = 32;  // samples of a leaf that need not be split
-  static constexpr std::size_t kBlocks = 32;   // that are asked at a time
+  static constexpr std::size_t kPackets = 32;  // that are asked at a time
 
   static bool contains(const Cube& cube, const Box3& box);
   static bool meets(const Cube& cube, const Entry& entry);
   Node add_leaf();
   void grow(const Entry& entry);
-  void insert(Node& node, const Cube& cube, std::uint32_t entry);
-  void append(Leaf& leaf, const Vec3& center, std::uint32_t entry);
-  Node split(Node leaf, const Cube& cube);
+  void insert(Node& node, const Cube& cube, std::uint32_t sample, const Entry& entry, const Entries& entries);
+  void append(Leaf& leaf, const Cube& cube, std::uint32_t sample, const Entry& entry);
+  Node split(Node leaf, const Cube& cube, const Entries& entries);
 
   bool empty_ = true;
   Node root_;
   Cube root_cube_{};
   std::vector<Branch> branches_;
   std::vector<Leaf> leaves_;
-  std::vector<Entry> entries_;
-  std::size_t lanes_ = 0;
+  std::size_t packets_ = 0;
 };
 
 template <class Visit>
@@ -96,11 +98,12 @@ void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visi
     node = branches_[node.number][octant], cube = cube.child(octant);
   }
   const Leaf& leaf = leaves_[node.number];
-  const IrradianceQuery query{x - cube.center, normal, bound, leaf.farthest + cube.half};
-  for (std::size_t first = 0; first < leaf.lanes.size(); first += kBlocks) {
-    std::uint32_t samples[kBlocks * IrradiancePacket::kCount];
-    const std::size_t found =
-        kernels.near(leaf.lanes.data() + first, std::min(kBlocks, leaf.lanes.size() - first), query, samples);
+  const IrradianceQuery query{x - cube.center, normal, bound, leaf.unit};
+  constexpr std::size_t kSamples = kPackets * IrradiancePacket::kCount;
+  for (std::size_t first = 0; first < leaf.count; first += kSamples) {
+    std::uint32_t samples[kSamples];
+    const IrradiancePacket* const packets = leaf.packets.data() + first / IrradiancePacket::kCount;
+    const std::size_t found = kernels.near(packets, std::min(kSamples, leaf.count - first), query, samples);
     for (std::size_t i = 0; i < found; ++i) visit(samples[i]);
   }
 }

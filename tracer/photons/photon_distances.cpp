@@ -48,7 +48,7 @@ double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& mea
 }
 
 void PhotonDistances::grow(std::size_t size) {
-  const std::size_t workspace = 2 * size + 4 * kRoom;
+  const std::size_t workspace = size + size / 2 + 4 * kRoom;
   squared_.resize(workspace), index_.resize(workspace);
 }
 

@@ -186,24 +186,27 @@ struct EqualOnes {
 };
 // Copies those that are at most `limit` when rounded; `from` is filled up.
 HWY_INLINE EqualOnes keep_rounded(const PhotonDistances& from, float limit, PhotonDistances& to) {
+  constexpr std::size_t kChunk = 1024;  // room is made for so many: mostly, few of many are kept
   const std::size_t n = from.size();
-  to.make_room(n);
   const float* const squared = from.squared().data();
   const std::uint32_t* const index = from.index().data();
-  float* const to_squared = to.squared_data();
-  std::uint32_t* const to_index = to.index_data();
   const FloatPacket limits(limit);
   std::size_t kept = 0;
   EqualOnes equals;
-  for (std::size_t i = 0; i < n; i += kEight) {
-    const FloatPacket eight = FloatPacket::load(squared + i);
-    const unsigned which = bits(eight <= limits);
-    if (const unsigned same = bits(eight == limits); same != 0) {
-      equals.count += static_cast<std::size_t>(std::popcount(same)),
-          equals.place = kept + static_cast<std::size_t>(std::popcount(which & (same - 1)));
+  for (std::size_t first = 0; first < n; first += kChunk) {
+    to.make_room(kept + std::min(kChunk, n - first));
+    float* const to_squared = to.squared_data();
+    std::uint32_t* const to_index = to.index_data();
+    for (std::size_t i = first; i < std::min(first + kChunk, n); i += kEight) {
+      const FloatPacket eight = FloatPacket::load(squared + i);
+      const unsigned which = bits(eight <= limits);
+      if (const unsigned same = bits(eight == limits); same != 0) {
+        equals.count += static_cast<std::size_t>(std::popcount(same)),
+            equals.place = kept + static_cast<std::size_t>(std::popcount(which & (same - 1)));
+      }
+      pack(which, eight, to_squared + kept), pack(which, Words::load(index + i), to_index + kept);
+      kept += static_cast<std::size_t>(std::popcount(which));
     }
-    pack(which, eight, to_squared + kept), pack(which, Words::load(index + i), to_index + kept);
-    kept += static_cast<std::size_t>(std::popcount(which));
   }
   to.set_size(kept);
   return equals;

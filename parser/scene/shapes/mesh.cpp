@@ -28,6 +28,9 @@ class MeshReader {
       }
     }
     if (data->triangles.empty()) parser.error(Code::degenerate, "No triangles in triangle mesh.");
+    // The lists grew by doubling; a mesh stays until the picture is done.
+    data->triangles.shrink_to_fit(), data->vertices.shrink_to_fit();
+    data->normals.shrink_to_fit(), data->uvs.shrink_to_fit();
     return data;
   }
 

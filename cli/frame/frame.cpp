@@ -23,7 +23,6 @@
 #include "cli/settings/layers_option.h"
 #include "cli/settings/part_option.h"
 #include "cli/settings/process_limits.h"
-#include "tracer/base/huge_pages.h"
 #include "tracer/base/keep_until_exit.h"
 #include "tracer/base/output_file.h"
 #include "tracer/image/output.h"
@@ -87,8 +86,10 @@ struct Canvas {
   std::uint64_t pixels = 0;  // of the region
 };
 
-// `places`: where the blocks of a part lie; empty: the whole picture is rendered.
-Canvas blank(const Options& options, const Region& part, const std::vector<Block>& places) {
+// `places`: where the blocks of a part lie; empty: the whole picture is rendered. `folder`: of the picture's file,
+// where the pixels of a large one may lie; nothing: in memory.
+Canvas blank(const Options& options, const Region& part, const std::vector<Block>& places,
+             const std::optional<fs::path>& folder) {
   Canvas canvas;
   canvas.framebuffer.width = places.empty() ? options.width : 0;
   canvas.framebuffer.height = places.empty() ? options.height : 0;
@@ -98,9 +99,9 @@ Canvas blank(const Options& options, const Region& part, const std::vector<Block
   }
   const std::size_t pixels =
       static_cast<std::size_t>(canvas.framebuffer.width) * static_cast<std::size_t>(canvas.framebuffer.height);
-  canvas.framebuffer.pixels.reserve(pixels);
-  fill_by_huge_pages(canvas.framebuffer.pixels.data(), pixels * sizeof(Color));
-  canvas.framebuffer.pixels.assign(pixels, Color());
+  const bool large = pixels * sizeof(Color) >> 20 >= static_cast<std::size_t>(std::max(0, options.max_image_buffer));
+  if (!large || !folder || !canvas.framebuffer.pixels.assign_in_file(pixels, *folder))
+    canvas.framebuffer.pixels.assign(pixels, Color());
   canvas.framebuffer.done.assign(pixels, 0);
   if (!part.empty())
     canvas.pixels = static_cast<std::uint64_t>(part.last_column - part.first_column + 1) *
@@ -231,7 +232,8 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   const bool strip = which.of > 1;
   const std::vector<Block> places = strip ? part_places(header) : std::vector<Block>();
   // The prepasses have no pixels, nor has a part that is one too many for the blocks.
-  Canvas canvas = which.prepasses || (strip && places.empty()) ? Canvas() : blank(options, part, places);
+  const auto folder = to_file ? std::optional(behind_links(name.path).parent_path()) : std::nullopt;
+  Canvas canvas = which.prepasses || (strip && places.empty()) ? Canvas() : blank(options, part, places, folder);
   std::unique_ptr<StateFile> state;
   if (to_file && !options.replay && !which.prepasses) {
     state = std::make_unique<StateFile>(name.state_path, key_of_part(key, which));

@@ -165,10 +165,7 @@ void write_with_layers(Parts& parts, MergedRows& rows, const fs::path& output, c
   }
   render::Framebuffer frame;
   frame.width = picture.width, frame.height = picture.height;
-  for (int y = 0; y < picture.height; ++y) {
-    const Color* const row = rows.row(y);
-    frame.pixels.insert(frame.pixels.end(), row, row + picture.width);
-  }
+  for (int y = 0; y < picture.height; ++y) frame.pixels.append(rows.row(y), static_cast<std::size_t>(picture.width));
   image::write_layers(frame, choice.layers, choice.beauty, output, options);
 }
 

@@ -101,6 +101,7 @@ struct Options {
   parser::Limits limits;
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  // of one picture: 20 bytes each
   double max_seconds = 0, max_cpu_seconds = 0;        // of one command; 0: no limit
+  int max_image_buffer = 128;                         // megabytes of pixels in memory; more lie in a file
   std::string stdin_name;                             // of a scene from standard input
   std::string exact_output;                           // --output: the name as it is, the type by its extension
   std::string stats_file;

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "tracer/math/color.h"
+#include "tracer/film/pixels.h"
 
 namespace verisim::render {
 
 // Linear working-space radiance, premultiplied; t is the transmit of the pixel (alpha = 1 - t).
 struct Framebuffer {
   int width = 0, height = 0;
-  std::vector<Color> pixels;       // row 0 is the top; f is unused
+  Pixels pixels;                   // row 0 is the top; f is unused
   std::vector<std::uint8_t> done;  // per pixel: rendered in this run
   Color& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
   const Color& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }

@@ -243,8 +243,9 @@ struct Quantiser::State {
 
 ColorRows rows_of(const render::Framebuffer& framebuffer) {
   return {framebuffer.width, framebuffer.height, [&framebuffer](int y) {
-            return framebuffer.pixels.data() +
-                   static_cast<std::size_t>(y) * static_cast<std::size_t>(framebuffer.width);
+            const auto width = static_cast<std::size_t>(framebuffer.width);
+            framebuffer.pixels.done_with(width);  // the rows before
+            return framebuffer.pixels.data() + static_cast<std::size_t>(y) * width;
           }};
 }
 

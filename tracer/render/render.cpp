@@ -123,6 +123,7 @@ class Queue {
         std::fill_n(frame_.done.begin() + static_cast<std::ptrdiff_t>(y) * frame_.width + place.x, place.width,
                     std::uint8_t{1});
       if (options_.block_done) options_.block_done(b.x, b.y, b.width, b.height);
+      frame_.pixels.done_with(static_cast<std::size_t>(b.width) * static_cast<std::size_t>(b.height));
     }
     const std::lock_guard lock(mutex_);
     done_ += static_cast<std::uint64_t>(b.width) * b.height;

@@ -3,6 +3,7 @@
 
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/kept_point.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
 
@@ -52,9 +53,9 @@ class Ovus final : public Primitive<Ovus> {
   void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = unit_local(ray);
     const auto report = [&](double t, Part part) {
-      if (t > kNearest)
-        sink.add(
-            t / l.scale, [&] { return world(l.origin + t * l.direction); }, part);
+      if (!(t > kNearest)) return;
+      const Vec3 found = l.origin + t * l.direction;
+      add_found(sink, t / l.scale, found, moved_by(), part);
     };
     const auto height = [&](double t) { return l.origin.y + t * l.direction.y; };
     double near, far;
@@ -91,7 +92,7 @@ class Ovus final : public Primitive<Ovus> {
   }
 
   Vec3 geometric_normal(const Hit& hit) const {
-    const Vec3 p = local(hit.point);
+    const Vec3 p = found_point(hit, moved_by());
     if (hit.part == bottom_sphere) return world_normal(p * (1 / m_.bottom));
     if (hit.part == top_sphere) return world_normal(Vec3(p.x, p.y - m_.bottom, p.z) * (1 / m_.top));
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
@@ -107,6 +108,7 @@ class Ovus final : public Primitive<Ovus> {
   }
 
  private:
+  const Transform* moved_by() const { return has_matrix() ? &matrix() : nullptr; }
   static bool sphere(const LocalRay& l, double height, double radius, double& near, double& far) {
     const Vec3 to(-l.origin.x, height - l.origin.y, -l.origin.z);
     const double closest = dot(to, l.direction), half2 = radius * radius - dot(to, to) + closest * closest;

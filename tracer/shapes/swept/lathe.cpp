@@ -1,16 +1,17 @@
 // lathe (spec 03 4.15): a profile (radius X(w), height Y(w)) turned about the y axis.
 //
 // With r = dx^2 + dz^2, m = dx px + dz pz, c = px^2 + pz^2 a ray meets a segment where r (Y - py)^2 + 2 dy m (Y - py) +
-// dy^2 (c - X^2) = 0. The roots are found in Bernstein form and polished on the two original equations, Y = py + dy t
-// and r t^2 + 2 m t + c = X^2, which stay well-conditioned for nearly horizontal rays (where POV-Ray's roots are noisy
-// or lost: section 8).
+// dy^2 (c - X^2) = 0. Coefficients, roots and depths have all of POV-Ray's bits (spec 08 F), and its artefacts at
+// nearly level rays.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
 
+#include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
+#include "tracer/shapes/scratch.h"
 #include "tracer/shapes/swept/lathe_packet.h"
 #include "tracer/shapes/swept/plane_curve.h"
 #include "tracer/shapes/spherical_uv.h"
@@ -19,8 +20,13 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = 1e-4, kFarthest = 1e7;
-constexpr double kNearlyHorizontal = 1e-5;
+constexpr double kSteep = 0.01;  // |dy|; what is more level knows its roots less well
 enum Axis { radius, height };
+
+// Summed in another order than a prism's.
+CurveSegment bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3) {
+  return {{p0, 3.0 * p1 - 3.0 * p0, 3.0 * p2 - 6.0 * p1 + 3.0 * p0, p3 - 3.0 * p2 + 3.0 * p1 - p0}, 3};
+}
 
 std::vector<CurveSegment> segments_of(const scene::Lathe& lathe) {
   std::vector<CurveSegment> segments;
@@ -34,8 +40,7 @@ std::vector<CurveSegment> segments_of(const scene::Lathe& lathe) {
       for (std::size_t i = 0; i + 2 < n; ++i) segments.push_back(CurveSegment::quadratic(p[i], p[i + 1], p[i + 2]));
       break;
     case scene::SplineKind::bezier:
-      for (std::size_t i = 0; i + 3 < n; i += 4)
-        segments.push_back(CurveSegment::bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
+      for (std::size_t i = 0; i + 3 < n; i += 4) segments.push_back(bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
       break;
     default:
       for (std::size_t i = 0; i + 3 < n; ++i)
@@ -69,7 +74,7 @@ struct Range {
 class Lathe final : public SearchPrimitive<Lathe> {
  public:
   Lathe(const scene::Object& description, const scene::Lathe& lathe)
-      : SearchPrimitive(description, {lathe_box(lathe)}), range_(lathe) {
+      : SearchPrimitive(description, {lathe_box(lathe)}), sturm_(description.sturm), range_(lathe) {
     for (const CurveSegment& s : segments_of(lathe)) {
       Segment segment{s, 0, 0};
       s.extremes(height, segment.y_low, segment.y_high);
@@ -91,31 +96,14 @@ class Lathe final : public SearchPrimitive<Lathe> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
-    const LocalRay l = local(ray);
-    const Vec3 &p = l.origin, &d = l.direction;
-    const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
-    // The interval inside the outermost cylinder, and the heights it passes.
-    double near = -HUGE_VAL, far = HUGE_VAL;
-    const double outer2 = this->outer2();
-    if (r > 1e-20) {
-      const double discriminant = m * m - r * (c - outer2);
-      if (!(discriminant >= 0)) return;
-      const double root = std::sqrt(discriminant);
-      near = (-m - root) / r, far = (-m + root) / r;
-      if (far < 0) return;
-    } else if (!(c <= outer2)) {
-      return;
-    }
-    const double doubt = 1e-7 * (range_.r_high + std::sqrt(c));
-    near = std::max({near, 0.0, sink.lower() * l.scale - doubt}), far = std::min(far, sink.upper() * l.scale + doubt);
-    if (near > far) return;
-    const LathePassage passage = this->passage(l, r, m, c, near, far);
-    const Solver solver{l, r, m, c};
+    const Solver solver(unit_local(ray), sturm_);
+    const std::optional<LathePassage> passage = this->passage(solver, sink.lower(), sink.upper());
+    if (!passage) return;
     for (std::size_t block = 0; block < blocks_.size(); ++block)
-      for (unsigned met = lathe_kernels().along(blocks_[block], passage); met != 0; met &= met - 1) {
+      for (unsigned met = lathe_kernels().along(blocks_[block], *passage); met != 0; met &= met - 1) {
         const std::size_t i = 8 * block + static_cast<std::size_t>(std::countr_zero(met));
         if (i >= segments_.size()) break;  // of numbers that are none
-        solver.segment(segments_[i].curve, [&](double w, double t) { add(ray, t / l.scale, i, w, sink); });
+        solver.segment(segments_[i].curve, [&](double w, double t) { add(ray, t, i, w, sink); });
       }
   }
 
@@ -126,28 +114,54 @@ class Lathe final : public SearchPrimitive<Lathe> {
     LathePacket packet;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet.rays);
     const unsigned met = lathe_kernels().begin(outer2(), admitted, packet);
-    LocalRay locals[RayPacket::kCount];
+    std::optional<Solver> solvers[RayPacket::kCount];
     std::optional<NearestHit> sinks[RayPacket::kCount];
-    unsigned found = 0, horizontal = 0;
+    std::optional<LathePassage> passages[RayPacket::kCount];
+    unsigned found = 0, open = 0;
     each_lane(met, [&](int k) {
-      locals[k] = local(rays.at(k));
+      solvers[k].emplace(unit_local(rays.at(k)), sturm_);
       sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      horizontal |= std::fabs(packet.rays.dy[k]) < kNearlyHorizontal ? 1u << k : 0;
+      passages[k] = passage(*solvers[k], t_min, t_max[k]);
+      open |= passages[k] ? 1u << k : 0;
     });
-    unsigned open = met;
+    const auto solve = [&](int k, std::size_t i) {
+      solvers[k]->segment(segments_[i].curve, [&](double w, double t) { add(rays.at(k), t, i, w, *sinks[k]); });
+    };
+    Scratch<Candidate> candidates;
+    unsigned along[RayPacket::kCount];
     for (std::size_t i = 0; i < segments_.size() && open != 0; ++i) {
       const Segment& s = segments_[i];
-      const unsigned beside = open & lathe_kernels().beside(s.y_low, s.y_high, slack(), packet);
-      if (beside == 0) continue;
-      const auto report = [&](int k, double w, double t) {
-        add(rays.at(k), t / locals[k].scale, i, w, *sinks[k]);
-        if (any && sinks[k]->found()) open &= ~(1u << k);
-      };
-      each_lane(beside & horizontal, [&](int k) {
-        Solver{locals[k], packet.r[k], packet.m[k], packet.c[k]}.segment(s.curve,
-                                                                         [&](double w, double t) { report(k, w, t); });
-      });
-      if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, packet, locals, report, open);
+      if (i % 8 == 0) each_lane(open, [&](int k) { along[k] = lathe_kernels().along(blocks_[i / 8], *passages[k]); });
+      unsigned beside = 0;
+      each_lane(open, [&](int k) { beside |= (along[k] >> i % 8 & 1) << k; });
+      const unsigned surveyed = s.curve.degree > 1 ? beside & steep(packet) : 0;
+      RootPacket roots;
+      unsigned near = 0;
+      if (surveyed != 0) {
+        lathe_kernels().follow(s.curve, packet, roots);
+        near = bernstein_kernels().begin(2 * s.curve.degree, surveyed, roots);
+      }
+      if (s.curve.degree < 3) {  // closed forms
+        each_lane((beside & ~surveyed) | near, [&](int k) { solve(k, i); });
+      } else {
+        each_lane(beside & ~surveyed, [&](int k) { solve(k, i); });
+        while ((near = bernstein_kernels().next(2 * s.curve.degree, near, roots)) != 0)
+          each_lane(near, [&](int k) {
+            const double w = roots.root[k], t = solvers[k]->depth(s.curve, w), doubt = kDoubt * (1 + t);
+            if (any && !guards() && t > std::max(t_min, kNearest) + doubt && t < t_max[k] - doubt)
+              add(rays.at(k), t, i, w, *sinks[k]);
+            else if (t > t_min - doubt && t < t_max[k] + doubt)
+              candidates.add({k, t, i});
+          });
+      }
+      if (any) each_lane(open, [&](int k) { open &= ~(sinks[k]->found() ? 1u << k : 0); });
+    }
+    // The nearest one that has POV-Ray's bits, too.
+    candidates.sort();
+    for (std::size_t n = 0; n < candidates.size(); ++n) {
+      const auto& [k, t, i] = candidates[n];
+      if (sinks[k]->found() && (any || t > hit_of(k).t + kDoubt * (1 + t))) continue;
+      if (n == 0 || candidates[n - 1].lane != k || candidates[n - 1].segment != i) solve(k, i);
     }
     each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
     return found;
@@ -187,15 +201,42 @@ class Lathe final : public SearchPrimitive<Lathe> {
     CurveSegment curve;
     double y_low, y_high;  // its heights
   };
-  // Where a ray is between two distances, for the kernel.
-  LathePassage passage(const LocalRay& l, double r, double m, double c, double near, double far) const {
-    constexpr double kSteep = 1e-3;  // others know their roots less well
+  // Where lane `lane` of a packet may meet a segment.
+  struct Candidate {
+    int lane;
+    double t;
+    std::size_t segment;
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      return a.lane != b.lane ? a.lane < b.lane : a.t < b.t;
+    }
+  };
+  // Relative to the depth: how far quick roots may lie beside those of POV-Ray.
+  static constexpr double kDoubt = 1e-5;
+
+  struct Solver;
+  // Where a ray is within the outermost cylinder, between two world distances; nothing: nowhere.
+  std::optional<LathePassage> passage(const Solver& solver, double lower, double upper) const {
+    const auto& [l, r, m, c, sturm] = solver;
+    double near = -HUGE_VAL, far = HUGE_VAL;
+    const double outer2 = this->outer2();
+    if (r > 1e-20) {
+      const double discriminant = m * m - r * (c - outer2);
+      if (!(discriminant >= 0)) return {};
+      const double root = std::sqrt(discriminant);
+      near = (-m - root) / r, far = (-m + root) / r;
+      if (far < 0) return {};
+    } else if (!(c <= outer2)) {
+      return {};
+    }
+    const double doubt = 1e-7 * (range_.r_high + std::sqrt(c));
+    near = std::max({near, 0.0, lower * l.scale - doubt}), far = std::min(far, upper * l.scale + doubt);
+    if (near > far) return {};
     double y0 = l.origin.y + l.direction.y * near, y1 = l.origin.y + l.direction.y * far;
     if (!(std::fabs(l.direction.y) > 0)) y0 = y1 = l.origin.y;
     if (y0 > y1) std::swap(y0, y1);
     LathePassage p{y0, y1, slack(), r, m, c, l.origin.y, near, far};
     if (std::fabs(l.direction.y) > kSteep)
-      p.inverse = 1 / l.direction.y, p.turn = r > 1e-20 ? -m / r : 0, p.doubt = 1e-5 * outer2() + 1e-9 * (c + m * m);
+      p.inverse = 1 / l.direction.y, p.turn = r > 1e-20 ? -m / r : 0, p.doubt = 1e-5 * outer2 + 1e-9 * (c + m * m);
     return p;
   }
 
@@ -208,95 +249,63 @@ class Lathe final : public SearchPrimitive<Lathe> {
           depth, [&] { return ray.origin + depth * ray.direction; }, static_cast<std::int32_t>(segment), w);
   }
 
-  // The roots of a segment for several rays; those that are no longer open are left alone.
-  template <class Report>
-  static void follow(const CurveSegment& curve, unsigned rays, const LathePacket& packet, const LocalRay* locals,
-                     Report&& report, const unsigned& open) {
-    RootPacket roots;
-    lathe_kernels().follow(curve, packet, roots);
-    unsigned more = bernstein_kernels().begin(2 * curve.degree, rays, roots);
-    while (more != 0) {
-      more = bernstein_kernels().next(2 * curve.degree, more, roots);
-      each_lane(more, [&](int k) {
-        const LocalRay& l = locals[k];
-        double w = roots.root[k], t = (curve.value(height, w) - l.origin.y) / l.direction.y;
-        Solver{l, packet.r[k], packet.m[k], packet.c[k]}.polish(curve, w, t);
-        report(k, w, t);
-      });
-      more &= open;
-    }
+  static unsigned steep(const LathePacket& packet) {
+    unsigned steep = 0;
+    for (int k = 0; k < RayPacket::kCount; ++k) steep |= std::fabs(packet.rays.dy[k]) > kSteep ? 1u << k : 0;
+    return steep;
   }
 
+  // One ray and the depths at which it meets a segment, at w of its curve.
   struct Solver {
-    const LocalRay& l;
-    double r, m, c;
+    const LocalRay l;
+    const double r, m, c;
+    const bool sturm;
+    Solver(const LocalRay& ray, bool by_sturm)
+        : l(ray),
+          r(l.direction.x * l.direction.x + l.direction.z * l.direction.z),
+          m(l.origin.x * l.direction.x + l.origin.z * l.direction.z),
+          c(l.origin.x * l.origin.x + l.origin.z * l.origin.z),
+          sturm(by_sturm) {}
 
     template <class Report>
     void segment(const CurveSegment& s, Report&& report) const {
       const double py = l.origin.y, dy = l.direction.y;
-      double roots[kMaxBernsteinDegree];
-      if (std::fabs(dy) < kNearlyHorizontal) {
-        // The height hardly changes within the body: start from where the profile has the height of the middle of the
-        // chord.
-        const double middle = r > 0 ? -m / r : 0;
-        const int n = s.solve(height, py + dy * middle, roots);
-        for (int i = 0; i < n; ++i) {
-          const double x = s.value(radius, roots[i]), discriminant = m * m - r * (c - x * x);
-          if (!(discriminant >= 0) || !(r > 0)) continue;
-          for (const double sign : {-1.0, 1.0}) {
-            double w = roots[i], t = (-m + sign * std::sqrt(discriminant)) / r;
-            polish(s, w, t);
-            if (w >= -1e-9 && w <= 1 + 1e-9) report(std::clamp(w, 0.0, 1.0), t);
-          }
-        }
-        return;
-      }
-      const int k = s.degree;
-      double y[4], power[7] = {};
-      for (int i = 0; i <= k; ++i) y[i] = s.c[static_cast<std::size_t>(i)].y;
-      y[0] -= py;
-      for (int i = 0; i <= k; ++i) {
-        power[i] += 2 * dy * m * y[i];
-        for (int j = 0; j <= k; ++j)
-          power[i + j] +=
-              r * y[i] * y[j] - dy * dy * s.c[static_cast<std::size_t>(i)].x * s.c[static_cast<std::size_t>(j)].x;
-      }
-      power[0] += dy * dy * c;
-      const int n = k == 1   ? bernstein_roots<2>(power, 0, 1, roots)
-                    : k == 2 ? bernstein_roots<4>(power, 0, 1, roots)
-                             : bernstein_roots<6>(power, 0, 1, roots);
+      double coefficients[7], roots[6];
+      const auto& [c0, c1, c2, c3] = s.c;
+      const double z = c0.y - py, dym = dy * m, dy2 = dy * dy;
+      coefficients[0] = r * (c3.y * c3.y) - dy2 * (c3.x * c3.x);
+      coefficients[1] = 2 * (r * (c2.y * c3.y) - dy2 * (c2.x * c3.x));
+      coefficients[2] = r * (2 * c1.y * c3.y + c2.y * c2.y) - dy2 * (2 * c1.x * c3.x + c2.x * c2.x);
+      coefficients[3] =
+          2 * (r * (c0.y * c3.y + c1.y * c2.y - py * c3.y) + c3.y * dy * m - dy2 * (c0.x * c3.x + c1.x * c2.x));
+      coefficients[4] = r * (2 * c2.y * z + c1.y * c1.y) + 2 * c2.y * dy * m - dy2 * (2 * c2.x * c0.x + c1.x * c1.x);
+      coefficients[5] = 2 * (c1.y * (r * z + dym) - dy2 * (c1.x * c0.x));
+      coefficients[6] = z * (r * z + 2 * dym) + dy2 * (c - c0.x * c0.x);
+      const int n = solve_polynomial(2 * s.degree, coefficients + 6 - 2 * s.degree, roots, sturm, 0, 0, 1);
       for (int i = 0; i < n; ++i) {
-        double w = roots[i], t = (s.value(height, w) - py) / dy;
-        polish(s, w, t);
-        report(w, t);
+        const double w = roots[i];
+        if (!(w >= 0 && w <= 1)) continue;
+        if (std::fabs(dy) > kEpsilon)
+          report(w, depth(s, w));
+        else
+          level(s.value(radius, w), [&](double t) { report(w, t); });
       }
     }
 
-    // Newton's method on both equations; keeps the start where it does not converge.
-    void polish(const CurveSegment& s, double& w, double& t) const {
-      double w1 = w, t1 = t;
-      const auto residual = [&](double ww, double tt, double& f, double& g) {
-        const double x = s.value(radius, ww);
-        f = s.value(height, ww) - l.origin.y - l.direction.y * tt;
-        g = (r * tt + 2 * m) * tt + c - x * x;
-      };
-      double f, g;
-      residual(w1, t1, f, g);
-      for (int step = 0; step < 4; ++step) {
-        const double fw = s.slope(height, w1), ft = -l.direction.y;
-        const double gw = -2 * s.value(radius, w1) * s.slope(radius, w1), gt = 2 * (r * t1 + m);
-        const double determinant = fw * gt - ft * gw;
-        if (determinant == 0) return;
-        const double dw = (f * gt - ft * g) / determinant, dt = (fw * g - f * gw) / determinant;
-        w1 -= dw, t1 -= dt;
-        residual(w1, t1, f, g);
-        if (std::fabs(dw) < 1e-15) break;
-      }
-      if (std::fabs(w1 - w) < 0.1 && std::isfinite(t1) && w1 > -1e-6 && w1 < 1 + 1e-6)
-        w = std::clamp(w1, 0.0, 1.0), t = t1;
+    double depth(const CurveSegment& s, double w) const {
+      return (s.value(height, w) - l.origin.y) / (l.direction.y * l.scale);
+    }
+    // A level ray, where the profile has this radius.
+    template <class Report>
+    void level(double x, Report&& report) const {
+      const double chord[3] = {r, 2 * m, c - x * x};
+      double depths[2];
+      const int n = solve_polynomial(2, chord, depths);
+      for (int i = 0; i < n; ++i) report(depths[i] / l.scale);
     }
   };
 
+  const bool sturm_;
   std::vector<Segment> segments_;
   std::vector<EightSegments> blocks_;
   Range range_;

@@ -28,20 +28,12 @@ unsigned along(const EightSegments& segments, const LathePassage& ray) {
 }
 
 unsigned begin(double outer2, unsigned active, LathePacket& s) {
-  const Packet px = load(s.rays.ox), py = load(s.rays.oy), pz = load(s.rays.oz), dx = load(s.rays.dx),
-               dy = load(s.rays.dy), dz = load(s.rays.dz);
+  const Packet px = load(s.rays.ox), pz = load(s.rays.oz), dx = load(s.rays.dx), dz = load(s.rays.dz);
   const Packet r = dx * dx + dz * dz, m = dx * px + dz * pz, c = px * px + pz * pz;
   const Packet discriminant = m * m - r * (c - outer2), root = sqrt(discriminant);
-  const Mask slanted = r > 1e-20, level = ~(abs(dy) > 0.0);
-  const Packet near = select(slanted, (-m - root) / r, -HUGE_VAL), far = select(slanted, (-m + root) / r, HUGE_VAL);
-  const Packet y0 = select(level, py, py + dy * max(near, 0.0)), y1 = select(level, py, py + dy * far);
-  const Mask falls = y0 > y1;
-  store(s.r, r), store(s.m, m), store(s.c, c), store(s.y0, select(falls, y1, y0)), store(s.y1, select(falls, y0, y1));
-  return bits((slanted & (discriminant >= 0.0) & ~(far < 0.0)) | (~slanted & (c <= outer2))) & active;
-}
-
-unsigned beside(double low, double high, double slack, const LathePacket& s) {
-  return bits(~((low > load(s.y1) + slack) | (high < load(s.y0) - slack)));
+  const Mask slanted = r > 1e-20;
+  store(s.r, r), store(s.m, m), store(s.c, c);
+  return bits((slanted & (discriminant >= 0.0) & ~((-m + root) / r < 0.0)) | (~slanted & (c <= outer2))) & active;
 }
 
 void follow(const CurveSegment& segment, const LathePacket& s, RootPacket& roots) {
@@ -63,7 +55,7 @@ void follow(const CurveSegment& segment, const LathePacket& s, RootPacket& roots
   store(roots.to, Packet(1.0));
 }
 
-const LatheKernels kKernels = {along, begin, beside, follow};
+const LatheKernels kKernels = {along, begin, follow};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -1,5 +1,5 @@
-// A lathe along eight rays at once. Compiled for several instruction sets; every lane does what Lathe::intersections
-// does.
+// Which segments of a lathe eight rays may meet, and about where: Lathe solves those alone. Compiled for several
+// instruction sets.
 #pragma once
 
 #include "tracer/math/bernstein_packet.h"
@@ -12,7 +12,6 @@ struct alignas(64) LathePacket {
   using Lane = double[RayPacket::kCount];
   LocalPacket rays;
   Lane r, m, c;  // the squared distance from the axis is r t^2 + 2 m t + c
-  Lane y0, y1;   // the heights that a ray passes within the largest radius
 };
 
 // Eight segments of a profile: their heights and squared radii. Behind the last one of a profile stand segments that
@@ -35,8 +34,6 @@ struct LatheKernels {
   unsigned (*along)(const EightSegments& segments, const LathePassage& ray);
   // The lanes of `active` that come within the squared distance `outer2` of the axis.
   unsigned (*begin)(double outer2, unsigned active, LathePacket& packet);
-  // The lanes that pass the heights of a segment.
-  unsigned (*beside)(double low, double high, double slack, const LathePacket& packet);
   // The polynomials of a segment, for rays that are not nearly horizontal.
   void (*follow)(const CurveSegment& segment, const LathePacket& packet, RootPacket& roots);
 };

@@ -115,7 +115,7 @@ class Sor final : public Primitive<Sor> {
     for (const Segment& s : segments_) {
       if (!enters(s, p.y, d.y, near, far, r, m, c)) continue;
       double roots[3];
-      const int n = hits_of(s, p, d, c, roots);
+      const int n = hits_of(s, p, d, roots);
       // Where a root lies along the ray does not matter, false ones are seen.
       for (int k = 0; k < n; ++k)
         if (const double y = p.y + roots[k] * d.y; y >= s.low && y <= s.high)
@@ -170,10 +170,10 @@ class Sor final : public Primitive<Sor> {
   }
 
   // Where the ray p + t d meets the surface of the segment's cubic at any height.
-  int hits_of(const Segment& s, const Vec3& p, const Vec3& d, double c, double* roots) const {
+  int hits_of(const Segment& s, const Vec3& p, const Vec3& d, double* roots) const {
     const double cubic[4] = {s.a * d.y * d.y * d.y, d.y * d.y * (3 * s.a * p.y + s.b) - (d.x * d.x + d.z * d.z),
                              d.y * (p.y * (3 * s.a * p.y + 2 * s.b) + s.c) - 2 * (p.x * d.x + p.z * d.z),
-                             p.y * (p.y * (s.a * p.y + s.b) + s.c) + s.d - c};
+                             p.y * (p.y * (s.a * p.y + s.b) + s.c) + s.d - p.x * p.x - p.z * p.z};
     return solve_polynomial(3, cubic, roots, sturm_);
   }
 

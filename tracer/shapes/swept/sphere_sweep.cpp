@@ -10,7 +10,9 @@
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/math/bernstein_packet.h"
+#include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/kept_point.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/scratch.h"
 #include "tracer/shapes/swept/sphere_sweep_packet.h"
@@ -19,6 +21,7 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kFarthest = 1e7;
+constexpr double kAcross = 1e-4;  // of a ray across the way of the spheres
 constexpr std::size_t kFewParts = 1;
 
 using Vec4 = Imath::V4d;  // centre and radius
@@ -200,17 +203,24 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   Vec3 geometric_normal(const Hit& hit) const {
     const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
     const auto part = static_cast<Part>(hit.part % 4);
+    const Vec4 sphere = s.at(hit.u);
     Vec3 n;
     if (part == start_plane)
       n = -center_of(s.slope(0));
     else if (part == end_plane)
       n = center_of(s.slope(1));
     else
-      n = local(hit.point) - center_of(s.at(hit.u));
-    return n == Vec3(0) ? Vec3(1, 0, 0) : world_normal(n);
+      n = found_point(hit, moved_by()) - center_of(sphere);
+    // Joints are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
+    if (part == joint)
+      n *= 1 / sphere.w;
+    else if (n != Vec3(0))
+      n = normalize(n);
+    return n == Vec3(0) ? Vec3(1, 0, 0) : has_matrix() ? world_normal(n) : n;
   }
 
  private:
+  const Transform* moved_by() const { return has_matrix() ? &matrix() : nullptr; }
   template <class Meet>
   void each_segment_met(const LocalRay& l, Meet&& meet) const {
     if (tree_.empty()) {
@@ -229,8 +239,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     all.sort([](const Intersection& a, const Intersection& b) { return a.t < b.t; });
     const auto add = [&](const Intersection& c) {
       if (!(c.t > tolerance_)) return;
-      sink.add(
-          c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
+      add_found(sink, c.t / l.scale, l.origin + c.t * l.direction, moved_by(), c.segment * 4 + c.part, c.u);
     };
     add(all[0]);
     int depth = 1;
@@ -284,8 +293,8 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Intersection>& all) const {
     const Segment& s = segments_[i];
     const auto index = static_cast<std::int32_t>(i);
-    if (i == 0) joint_sphere(s.at(0), 0, index, l, all);
-    joint_sphere(s.at(1), 1, index, l, all);
+    joint_sphere(s.c[0], 0, index, l, all);
+    if (i + 1 == segments_.size()) joint_sphere(s.at(1), 1, index, l, all);
     plane(s, 0, index, l, all);
     plane(s, 1, index, l, all);
     if (s.degree == 1)
@@ -296,7 +305,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
 
   static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
     const Vec3 to = center_of(sphere) - l.origin;
-    const double closest = dot(to, l.direction), half2 = sphere.w * sphere.w - (dot(to, to) - closest * closest);
+    const double closest = dot(to, l.direction), half2 = sphere.w * sphere.w - dot(to, to) + closest * closest;
     if (!(sphere.w > 0) || !(half2 > 0)) return false;
     const double half = std::sqrt(half2);
     near = closest - half, far = closest + half;
@@ -331,30 +340,26 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   }
 
   void linear_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) const {
-    const Vec3 dc = center_of(s.c[1]), o = l.origin - center_of(s.c[0]);
-    const double r0 = s.c[0].w, dr = s.c[1].w;
-    const double g = dot(dc, dc) - dr * dr;  // d/du: dot(o, dc) + r0 dr + t dot(D, dc) = u g
-    if (!(g > 0)) return;                    // one end sphere contains the other: no side
-    const double e = dot(o, dc) + r0 * dr, f = dot(l.direction, dc);
-    // |o + tD - u dc|^2 = (r0 + u dr)^2 with u = (e + t f) / g: (1 - f^2/g) t^2 + 2 (b - e f/g) t + c - e^2/g = 0.
-    const double b = dot(o, l.direction), c = dot(o, o) - r0 * r0;
-    quadratic_side(1 - f * f / g, b - e * f / g, c - e * e / g, [&](double t) {
-      const double u = (e + t * f) / g;
-      if (u >= 0 && u <= 1) add_side(s, u, t, index, l, all);
-    });
-  }
-
-  template <class Report>
-  static void quadratic_side(double a, double b, double c, Report&& report) {
-    if (std::fabs(a) < 1e-14) {
-      if (b != 0) report(-0.5 * c / b);
-      return;
+    // t^2 + (e + u d) t + a u^2 + b u + c, whose derivative by u vanishes at t = -(2 a u + b) / d.
+    const Vec3 way = center_of(s.c[1]), to = center_of(s.c[0]) - l.origin;
+    const double radius = s.c[0].w, growth = s.c[1].w;
+    const double a = dot(way, way) - growth * growth, b = 2 * (dot(to, way) - radius * growth),
+                 c = dot(to, to) - radius * radius, d = -2 * dot(way, l.direction), e = -2 * dot(to, l.direction);
+    const double touching[3] = {4 * a * a - a * (d * d), 4 * a * b - 2 * a * (d * e),
+                                b * b - b * (d * e) + c * (d * d)};
+    double roots[2];
+    const int n = solve_polynomial(2, touching, roots);
+    for (int i = 0; i < n; ++i) {
+      const double u = roots[i];
+      if (!(u >= 0 && u <= 1)) continue;
+      double near, far;
+      if (std::fabs(d) > kAcross) {
+        add_side(s, u, -(2 * a * u + b) / d, index, l, all);
+      } else if (sphere_chord(s.at(u), l, near, far)) {
+        add_side(s, u, near, index, l, all);
+        add_side(s, u, far, index, l, all);
+      }
     }
-    const double discriminant = b * b - a * c;
-    if (!(discriminant > 0)) return;
-    const double root = std::sqrt(discriminant);
-    report((-b - root) / a);
-    report((-b + root) / a);
   }
 
   static Touches touches_of(const Segment& s, const LocalRay& l) {

@@ -18,10 +18,12 @@ class Scratch {
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
-  void add(const T& value) {
+  void add(const T& value) { add() = value; }
+  // One with any value, to be written where it lies: a copy of what was just put together waits for its parts.
+  T& add() {
     if (list_.end == list_.storage.size()) grow();
-    list_.storage[list_.end++] = value;
     ++size_;
+    return list_.storage[list_.end++];
   }
   // Adds in order while there are at most `few` elements, at the end after that: sort() then.
   void insert_sorted(const T& value, std::size_t few) {

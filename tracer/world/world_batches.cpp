@@ -2,6 +2,7 @@
 // each for all rays that it may still concern. What is found is what one ray finds alone, because the world decides
 // ties by rules of its own.
 #include <algorithm>
+#include <optional>
 
 #include "tracer/world/world_impl.h"
 #include "tracer/shapes/scratch_hits.h"
@@ -11,6 +12,8 @@ namespace {
 
 constexpr int kLanes = RayPacket::kCount;
 
+// One lane, or none. (Where there is no instruction that counts bits, std::has_single_bit is a call.)
+bool is_alone(unsigned lanes) { return (lanes & (lanes - 1)) == 0; }
 unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
 
 NodeRays rays_in(const Bvh& tree, const RayPacket& rays, double t_min) {
@@ -56,6 +59,29 @@ class Places {
   int count_ = 0;
 };
 
+// Rays of a packet that go through nodes without the others: as the formula for one ray takes them.
+class LoneRays {
+ public:
+  explicit LoneRays(const NodeRays& there) : there_(there) {}
+  unsigned test(const BoxNode& node, int lane, double limit, float near[4]) {
+    std::optional<NodeRay>& ray = rays_[lane];
+    const auto at = [&](const NodeRays::Lane* v) { return Vec3(v[0][lane], v[1][lane], v[2][lane]); };
+    if (!ray) ray.emplace(at(there_.origin), at(there_.inverse));
+    return ray->test(node, far(lane, limit), near);
+  }
+  // A limit counted from where the ray enters the tree.
+  float far(int lane, double limit) const { return round_up(limit - there_.start[lane] + there_.slack); }
+
+ private:
+  const NodeRays& there_;
+  std::optional<NodeRay> rays_[kLanes];
+};
+
+void prefetch(const BoxNode& node) {
+  __builtin_prefetch(node.planes[0]);
+  __builtin_prefetch(node.planes[4]);
+}
+
 // Walks a tree with eight rays, from the subtrees of an entry or from the root. Calls visit(candidate, lanes) for the
 // boxes that lanes of `open` meet before their limits, which may shrink meanwhile, roughly from near to far. `ahead`
 // tells of candidates before they are visited, if they are: first soon, then next.
@@ -65,24 +91,34 @@ void walk(const Bvh& tree, const EntryPoints* entry, const RayPacket& rays, doub
   struct Item {
     std::uint32_t child;
     unsigned lanes;
+    float near;
   } stack[Bvh::kStackSize];
   int size = 0;
   const NodeRays there = rays_in(tree, rays, t_min);
+  LoneRays lone(there);
   ChildrenMet met;
+  // Among those above `first`, the nearest on top.
+  const auto put = [&](const Item& item, int first) {
+    int at = size++;
+    for (; at > first && stack[at - 1].near < item.near; --at) stack[at] = stack[at - 1];
+    stack[at] = item;
+    if (item.child & BoxNode::kLeaf)
+      ahead.soon(BoxNode::leaf_first(item.child));
+    else
+      prefetch(tree.node(item.child));
+  };
   const auto expand = [&](const BoxNode& node, unsigned lanes) {
-    batch_kernels().children(node, there, limit, met);
     const int first = size;
-    float near[4];
-    for (int k = 0; k < 4; ++k) {
-      const unsigned here = met.lanes[k] & lanes;
-      if (here == 0) continue;
-      const float distance = met.near[k][std::countr_zero(here)];
-      int at = size++ - first;  // the nearest on top
-      for (; at > 0 && near[at - 1] < distance; --at)
-        near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
-      near[at] = distance, stack[first + at] = {node.child[k], here};
-      if (node.child[k] & BoxNode::kLeaf) ahead.soon(BoxNode::leaf_first(node.child[k]));
+    if (is_alone(lanes)) {
+      const int lane = std::countr_zero(lanes);
+      alignas(16) float near[4];
+      each_lane(lone.test(node, lane, limit[lane], near), [&](int k) { put({node.child[k], lanes, near[k]}, first); });
+      return;
     }
+    batch_kernels().children(node, there, limit, met);
+    for (int k = 0; k < 4; ++k)
+      if (const unsigned here = met.lanes[k] & lanes; here != 0)
+        put({node.child[k], here, met.near[k][std::countr_zero(here)]}, first);
   };
   if (entry) {
     for (int n = entry->count - 1; n >= 0; --n) expand(entry->nodes[n], open);
@@ -93,6 +129,10 @@ void walk(const Bvh& tree, const EntryPoints* entry, const RayPacket& rays, doub
     const Item item = stack[--size];
     const unsigned lanes = item.lanes & open;
     if (lanes == 0) continue;
+    if (is_alone(item.lanes)) {
+      const int lane = std::countr_zero(lanes);
+      if (!(item.near <= lone.far(lane, limit[lane]))) continue;
+    }
     if (size > 0 && stack[size - 1].child & BoxNode::kLeaf) ahead.next(BoxNode::leaf_first(stack[size - 1].child));
     if (item.child & BoxNode::kLeaf)
       visit(BoxNode::leaf_first(item.child), lanes);
@@ -105,7 +145,10 @@ void walk(const Bvh& tree, const EntryPoints* entry, const RayPacket& rays, doub
 struct Prefetch {
   const Candidate* candidates;
   void soon(std::uint32_t i) const { __builtin_prefetch(candidates + i); }
-  void next(std::uint32_t i) const { __builtin_prefetch(candidates[i].shape); }
+  void next(std::uint32_t i) const {
+    const auto* lines = reinterpret_cast<const char*>(candidates[i].shape);
+    for (int line = 0; line < 3; ++line) __builtin_prefetch(lines + 64 * line);
+  }
 };
 
 constexpr int kMin = 3;  // rays for which this costs less than one walk for each
@@ -184,13 +227,16 @@ class World::BatchSearch {
     }
     if (!nearer) return;
     hits_[k] = hit;
+    __builtin_prefetch(hit.shape->surface);  // soon asked for
     owner_[k] = index;
     found_ |= lane;
     limit_[k] = std::min(limit_[k], with_coincident(hit.t));
   }
   void test_candidate(std::uint32_t i, const WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
-    if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr, lanes);
+    if (c.hidden & mask_) return;
+    __builtin_prefetch(&w_.entries[c.entry].slab);
+    test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr, lanes);
   }
   void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
     alignas(64) double t[kLanes];
@@ -202,10 +248,20 @@ class World::BatchSearch {
     });
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
+    if (is_alone(lanes)) {
+      test_alone(shape, index, inner, std::countr_zero(lanes));
+      return;
+    }
     each_lane(shape.intersect_packet({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
               [&](int k) {
                 if (w_.admits(index, rays_.at(k), others_[k])) take(k, others_[k], index);
               });
+  }
+  void test_alone(const Shape& shape, std::uint32_t index, const EntryPoints* inner, int k) {
+    const Ray ray = rays_.at(k);
+    const bool met = inner ? shape.intersect_from(*inner, ray, kind_, t_min_, limit_[k], others_[k])
+                           : shape.intersect(ray, kind_, t_min_, limit_[k], others_[k]);
+    if (met && w_.admits(index, ray, others_[k])) take(k, others_[k], index);
   }
 
   const Impl& w_;
@@ -271,7 +327,7 @@ class World::BatchOcclusion {
       if (w_.planes[i] || (e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
-      test(*e.shape, e, nullptr, lanes);
+      test(*e.shape, e.opacity, e.slab, nullptr, lanes);
     }
   }
   void test_around() {
@@ -280,7 +336,7 @@ class World::BatchOcclusion {
       if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= s.enclosure.holds(rays_.at(k), above_, t_max_[k]) ? 0 : 1u << k; });
-      test(*e.shape, e, nullptr, lanes);
+      test(*e.shape, e.opacity, e.slab, nullptr, lanes);
     }
   }
   void test_boxes(WorldEntry& entry) {
@@ -302,8 +358,9 @@ class World::BatchOcclusion {
   void test_candidate(std::uint32_t i, WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
     if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
-    if (test(*c.shape, w_.entries[c.entry], entry ? entry->inner_of(i) : nullptr, lanes) && entry)
-      entry->last_blocker = i;
+    const SlabTest& slab = w_.entries[c.entry].slab;
+    __builtin_prefetch(&slab);
+    if (test(*c.shape, c.opacity, slab, entry ? entry->inner_of(i) : nullptr, lanes) && entry) entry->last_blocker = i;
   }
 
  private:
@@ -324,15 +381,20 @@ class World::BatchOcclusion {
     return false;
   }
   // True if any lane is blocked.
-  bool test(const Shape& shape, const Entry& e, const EntryPoints* inner, unsigned lanes) {
+  bool test(const Shape& shape, Opacity opacity, const SlabTest& slab, const EntryPoints* inner, unsigned lanes) {
     if (lanes == 0) return false;
     unsigned blocked = 0;
-    if (e.opacity == Opacity::opaque) {
+    if (opacity == Opacity::opaque && is_alone(lanes)) {
+      const int k = std::countr_zero(lanes);
+      const Ray ray = rays_.at(k);
+      if (inner ? shape.occludes_from(*inner, ray, above_, t_max_[k]) : shape.occludes(ray, above_, t_max_[k]))
+        blocked = lanes;
+    } else if (opacity == Opacity::opaque) {
       blocked = shape.occludes_packet({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
     } else {
       each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
     }
-    each_lane(blocked, [&](int k) { blocked &= e.slab.passes(rays_.at(k)) ? ~0u : ~(1u << k); });
+    each_lane(blocked, [&](int k) { blocked &= slab.passes(rays_.at(k)) ? ~0u : ~(1u << k); });
     open_ &= ~blocked;
     return blocked != 0;
   }

@@ -40,7 +40,11 @@ class Blob final : public SearchPrimitive<Blob> {
   void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     Scratch<Piece> pieces;
-    if (tree_.empty()) {
+    if (!spheres_.empty()) {
+      std::uint64_t near = blob_kernels().near(spheres_.data(), spheres_.size(), l.origin, l.direction, 0, 0);
+      for (; near != 0; near &= near - 1)
+        add_piece(parts_[static_cast<std::size_t>(std::countr_zero(near))], l, pieces);
+    } else if (tree_.empty()) {
       for (const Part& part : parts_) add_piece(part, l, pieces);
     } else {
       tree_.traverse({l.origin, l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
@@ -66,7 +70,7 @@ class Blob final : public SearchPrimitive<Blob> {
       Scratch<Piece> pieces;
       for (std::size_t i = 0; i < count; ++i) {
         const PiecePacket& p = met[i];
-        if (p.met >> k & 1) pieces.add({p.t0[k], p.t1[k], p.part, p.scale2[k], p.peak[k]});
+        if (p.met >> k & 1) add_piece(*p.part, {p.t0[k], p.t1[k], p.scale2[k], p.peak[k]}, pieces);
       }
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
@@ -167,7 +171,11 @@ class Blob final : public SearchPrimitive<Blob> {
 
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     RayPiece p;
-    if (blob_kernels().piece(part, l.origin, l.direction, p)) pieces.add({p.t0, p.t1, &part, p.scale2, p.peak});
+    if (blob_kernels().piece(part, l.origin, l.direction, p)) add_piece(part, p, pieces);
+  }
+  static void add_piece(const Part& part, const RayPiece& p, Scratch<Piece>& pieces) {
+    Piece& piece = pieces.add();
+    piece.t0 = p.t0, piece.t1 = p.t1, piece.part = &part, piece.scale2 = p.scale2, piece.peak = p.peak;
   }
 
   // The field of a part along origin + u direction, 0 <= u <= 1, in powers of u; `span` is the length of the direction.
@@ -227,15 +235,28 @@ class Blob final : public SearchPrimitive<Blob> {
     const Vec3 origin = l.origin + start * l.direction, direction = span * l.direction;
     for (std::size_t i = 0; i < pieces.size(); ++i) expand(pieces[i], origin, direction, span);
     Intervals intervals(&events[0], events.size(), &pieces[0], threshold_);
+    const double too_near = (0.5 * nearest(sink) * l.scale - start) / span;
     while (intervals.next()) {
       if ((start + span * intervals.from) / l.scale >= limit) return;
-      if (misses(intervals.peak, rounding) || keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
+      if (intervals.to < too_near || misses(intervals.peak, rounding)) continue;
+      if (keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
+      if (intervals.from < too_near && keeps_its_sign_by_far(intervals.power, too_near, intervals.to)) continue;
       if (solve(ray, l, intervals, sink) && Sink::kNearest) return;
     }
   }
 
-  // By the Bezier coefficients between two places.
-  static bool keeps_its_sign(const double* power, double from, double to) {
+  // Hits nearer than this are none. Searches from within (subsurface scattering) ask for everything in front, and
+  // POV-Ray's own leave nothing out there.
+  template <class Sink>
+  static double nearest(const Sink& sink) {
+    return Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
+  }
+
+  struct Range {
+    double least, most;
+  };
+  // Of the field between two places: the Bezier coefficients enclose it.
+  static Range range_between(const double* power, double from, double to) {
     const double width = to - from, a = from, a2 = a * a, w2 = width * width;
     const double c0 = (((power[4] * a + power[3]) * a + power[2]) * a + power[1]) * a + power[0];
     const double c1 = (((4 * power[4] * a + 3 * power[3]) * a + 2 * power[2]) * a + power[1]) * width;
@@ -244,7 +265,19 @@ class Blob final : public SearchPrimitive<Blob> {
     const double b[5] = {c0, c0 + c1 / 4, c0 + c1 / 2 + c2 / 6, c0 + 0.75 * c1 + c2 / 2 + c3 / 4,
                          c0 + c1 + c2 + c3 + c4};
     const auto [least, most] = std::minmax_element(b, b + 5);
-    return *least >= 0 || *most <= 0;
+    return {*least, *most};
+  }
+  static bool keeps_its_sign(const double* power, double from, double to) {
+    const Range range = range_between(power, from, to);
+    return range.least >= 0 || range.most <= 0;
+  }
+  // So far from zero that no root is there by rounding, either, of the closed form or in its coefficients.
+  static bool keeps_its_sign_by_far(const double* power, double from, double to) {
+    constexpr double kRounding = 1e-6;
+    double size = 0;
+    for (int i = 0; i < 5; ++i) size += std::fabs(power[i]);
+    const Range range = range_between(power, from, to);
+    return range.least > kRounding * size || range.most < -kRounding * size;
   }
 
   // True: a hit was accepted.
@@ -267,10 +300,8 @@ class Blob final : public SearchPrimitive<Blob> {
   template <class Sink>
   static bool report(const Ray& ray, double scale, const Intervals& intervals, double root, Sink& sink) {
     const double depth = (root * intervals.span + intervals.start) / scale;
-    // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out
-    // there.
-    const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
-    return depth > nearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+    return depth > nearest(sink) && depth < kFarthest &&
+           sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
   }
 
   // The parts that any of several rays may meet.

@@ -68,7 +68,7 @@ TEST_F(Limits, MemoryEndsEverything) {
     EXPECT_TRUE(says(ended, "--max-memory")) << ended.errors;
   }
   Ended ended;
-  seconds({"render", "scene.pov", "+W8000", "+H6000", "--max-memory=200000000"}, ended);
+  seconds({"render", "scene.pov", "+W8000", "+H6000", "+MI100000", "--max-memory=200000000"}, ended);
   EXPECT_EQ(ended.status, kInputOutput);
   EXPECT_TRUE(says(ended, "--max-memory")) << ended.errors;
   EXPECT_FALSE(exists("scene.png"));

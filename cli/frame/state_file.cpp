@@ -105,6 +105,7 @@ bool StateFile::open(bool append) {
 
 void StateFile::append(const Block& block, const render::Framebuffer& framebuffer) {
   if (!write_all(file_, color_record(block, place(block), framebuffer, key_))) fail("cannot write");
+  framebuffer.pixels.done_with(block.pixels());
 }
 
 void StateFile::finished(const Block& block, const render::Framebuffer& framebuffer) {

@@ -118,10 +118,10 @@ std::span<const Switch> switches() { return kSwitches; }
 bool is_setting(std::string_view key) { return find_setting(key) != nullptr; }
 
 bool decides_picture(std::string_view key) {
-  constexpr std::array kAside{"Append_File",    "Continue_Trace",   "Create_Ini",         "Display",
-                              "Output_To_File", "Preview_End_Size", "Preview_Start_Size", "Verbose",
-                              "Frame_Step",     "Pause_When_Done",  "Subset_Start_Frame", "Subset_End_Frame",
-                              "Work_Threads"};
+  constexpr std::array kAside{"Append_File",    "Continue_Trace",         "Create_Ini",         "Display",
+                              "Output_To_File", "Preview_End_Size",       "Preview_Start_Size", "Verbose",
+                              "Frame_Step",     "Pause_When_Done",        "Subset_Start_Frame", "Subset_End_Frame",
+                              "Work_Threads",   "Max_Image_Buffer_Memory"};
   const Setting* setting = find_setting(key);
   if (!setting || std::holds_alternative<NoEffect>(setting->target)) return false;
   const std::string_view name = setting->key;

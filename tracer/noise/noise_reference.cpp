@@ -17,13 +17,16 @@ std::int64_t lattice(double x) {
   return static_cast<std::int64_t>(x >= 0 ? x : x - 1 + kEpsilon);
 }
 
-double lattice_noise(const Vec3& p, int offset) {
+// The corners in the order in which they are added; x is the lowest bit.
+constexpr int kRows[8] = {0, 1, 2, 3, 4, 5, 6, 7}, kNeighbours[8] = {0, 1, 3, 2, 6, 7, 5, 4};
+
+double lattice_noise(const Vec3& p, int offset, const int (&order)[8]) {
   const NoiseTables& t = noise_tables();
   const std::int64_t i[3] = {lattice(p.x), lattice(p.y), lattice(p.z)};
   const double f[3] = {p.x - static_cast<double>(i[0]), p.y - static_cast<double>(i[1]),
                        p.z - static_cast<double>(i[2])};
   double sum = 0;
-  for (int c = 0; c < 8; ++c) {
+  for (const int c : order) {
     const int corner[3] = {c & 1, c >> 1 & 1, c >> 2};
     const int m =
         lattice_hash(t, i[0] + 10000 + corner[0], i[1] + 10000 + corner[1], i[2] + 10000 + corner[2]) % 256 + offset;
@@ -68,19 +71,21 @@ double noise(const Vec3& p, int generator) {
   double n;
   switch (generator) {
     case 1:
-      n = lattice_noise(p, 0) + 0.5;
+      n = lattice_noise(p, 0, kRows) + 0.5;
       break;
     case 3:
       n = 0.5 * (1.59 * gradient_noise(p) + 0.985);
       break;
     default:
-      n = (lattice_noise(p, 0) + 1.05242) * 0.48985582;
+      n = (lattice_noise(p, 0, kRows) + 1.05242) * 0.48985582;
       break;
   }
   return std::clamp(n, 0.0, 1.0);
 }
 
-Vec3 vector_noise(const Vec3& p) { return {lattice_noise(p, 0), lattice_noise(p, 4), lattice_noise(p, 8)}; }
+Vec3 vector_noise(const Vec3& p) {
+  return {lattice_noise(p, 0, kNeighbours), lattice_noise(p, 4, kNeighbours), lattice_noise(p, 8, kNeighbours)};
+}
 
 double turbulence(const Vec3& p, const Octaves& octaves, int generator) {
   double sum = 0;

@@ -84,17 +84,21 @@ void SceneEffects::container_media(shading::Tracer& tracer, const shading::RaySt
 }
 
 void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& common,
-                                   std::span<const shading::ContainerInterval> intervals) const {
-  MediaList list;
-  collect(tracer.interiors(common.interiors), list);
-  if (list.empty()) return;
-  const std::span<const CompiledMedia* const> media{list.data(), list.size()};
+                                   std::span<const shading::MediaSegment> segments) const {
+  MediaList media;
+  collect(tracer.interiors(common.interiors), media);
+  if (!media.empty()) apply(tracer, common, segments, {media.data(), media.size()});
+}
+
+void SceneEffects::apply(shading::Tracer& tracer, const shading::RayState& common,
+                         std::span<const shading::MediaSegment> segments,
+                         std::span<const CompiledMedia* const> media) const {
   MediaSurroundings environment(*this, photons_in_media(common), tracer, common, nullptr);
   MediaBatch batch(tracer, common, media, environment);
   shading::RayState ray = common;
   MediaResult results[MediaBatch::kMaxRays];
-  for (std::size_t first = 0; first < intervals.size(); first += MediaBatch::kMaxRays) {
-    const auto rays = intervals.subspan(first, std::min(intervals.size() - first, MediaBatch::kMaxRays));
+  for (std::size_t first = 0; first < segments.size(); first += MediaBatch::kMaxRays) {
+    const auto rays = segments.subspan(first, std::min(segments.size() - first, MediaBatch::kMaxRays));
     bool done[MediaBatch::kMaxRays] = {};
     if (batch.possible()) batch.integrate(rays, results, done);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -112,6 +116,11 @@ void SceneEffects::container_media(shading::Tracer& tracer, const shading::RaySt
 void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayState& ray, double length,
                                     const shapes::Surface* end, Color& color) const {
   apply(tracer, ray, length, end, atmosphere_list_, color);
+}
+
+void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayState& common,
+                                    std::span<const shading::MediaSegment> segments) const {
+  apply(tracer, common, segments, atmosphere_list_);
 }
 
 void SceneEffects::shadow_media(shading::Tracer& tracer, const shading::RayState& ray, double length, bool container,

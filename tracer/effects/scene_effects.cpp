@@ -3,13 +3,25 @@
 #include "tracer/effects/effects_state.h"
 
 namespace verisim::global {
+namespace {
+
+// Where POV-Ray takes one sample of a constant, the place does not matter, unless it varies after all.
+bool draws_count(const CompiledMedia& media) {
+  const scene::Media& m = *media.description;
+  return m.method != 3 || m.jitter != 0 || (media.last_density_plain && media.varies);
+}
+
+}  // namespace
 
 SceneEffects::SceneEffects(const scene::Scene& scene, textures::Compiler& compiler, int quality) : scene_(scene) {
   if (quality < 9) return;
   for (const auto& object : scene.objects) add_object(*object, compiler);
   media_in_interiors = !interior_media_.empty();
   for (const scene::Media& m : scene.atmosphere) atmosphere_.push_back(compile_media(m, compiler));
-  for (const CompiledMedia& m : atmosphere_) atmosphere_list_.push_back(&m);
+  for (const CompiledMedia& m : atmosphere_) {
+    atmosphere_list_.push_back(&m);
+    air_draws_count |= draws_count(m);
+  }
   atmosphere = !atmosphere_.empty();
   if (scene.settings.radiosity.enabled) {
     radiosity = true;
@@ -30,11 +42,8 @@ void SceneEffects::add_interior(const scene::Interior* interior, textures::Compi
   if (!interior || interior->media.empty()) return;
   const auto [entry, fresh] = interior_media_.try_emplace(interior);
   if (!fresh) return;
-  for (const scene::Media& m : interior->media) {
-    const CompiledMedia& compiled = entry->second.emplace_back(compile_media(m, compiler));
-    // Where POV-Ray takes one sample of a constant, the place does not matter, unless it varies after all.
-    interior_draws_count |= m.method != 3 || m.jitter != 0 || (compiled.last_density_plain && compiled.varies);
-  }
+  for (const scene::Media& m : interior->media)
+    interior_draws_count |= draws_count(entry->second.emplace_back(compile_media(m, compiler)));
 }
 
 void SceneEffects::add_object(const scene::Object& object, textures::Compiler& compiler) {

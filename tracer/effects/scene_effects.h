@@ -28,9 +28,11 @@ class SceneEffects : public shading::Effects {
   void container_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface& end,
                        Color&) const override;
   void container_media(shading::Tracer&, const shading::RayState& common,
-                       std::span<const shading::ContainerInterval>) const override;
+                       std::span<const shading::MediaSegment>) const override;
   void atmosphere_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface* end,
                         Color&) const override;
+  void atmosphere_media(shading::Tracer&, const shading::RayState& common,
+                        std::span<const shading::MediaSegment>) const override;
   void shadow_media(shading::Tracer&, const shading::RayState&, double length, bool container, bool atmosphere,
                     Rgb&) const override;
   Rgb indirect_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&,
@@ -70,6 +72,8 @@ class SceneEffects : public shading::Effects {
   const PhotonMap* photons_in_media(const shading::RayState& ray) const;
   void apply(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
              std::span<const CompiledMedia* const> media, Color& color) const;
+  void apply(shading::Tracer& tracer, const shading::RayState& common, std::span<const shading::MediaSegment> segments,
+             std::span<const CompiledMedia* const> media) const;
 
   const scene::Scene& scene_;
   std::unordered_map<const scene::Interior*, std::vector<CompiledMedia>> interior_media_;

@@ -12,7 +12,7 @@
 namespace verisim::global {
 namespace {
 
-using shading::ContainerInterval;
+using shading::MediaSegment;
 
 constexpr std::size_t kMax = MediaPacket::kMax;
 static_assert(kMax <= textures::PointBatch::kMax && kMax <= shading::ShadowBatch::kMax);
@@ -39,14 +39,15 @@ struct MediaBatch::Question {
 // Of a thread: it would be much to make and to clear for every row.
 struct MediaBatch::Workspace {
   struct RayPart {
-    std::uint32_t first, end;  // intervals
-    bool lost;                 // numbers are drawn on the way to a light
+    std::uint32_t first, end;       // intervals
+    bool lost = false;              // numbers are drawn on the way to a light
+    std::uint64_t shadow_rays = 0;  // that were counted for it
   };
   struct Interval {
     MediaInterval span;
     std::uint32_t ray;
   };
-  std::span<const ContainerInterval> subintervals;
+  std::span<const MediaSegment> subintervals;
   std::vector<RayPart> rays;
   std::vector<Interval> intervals;
   std::vector<const shading::Light*> lights;
@@ -78,18 +79,21 @@ bool MediaBatch::possible() const {
          !environment_.replay();
 }
 
-void MediaBatch::integrate(std::span<const ContainerInterval> rays, MediaResult* results, bool* done) {
+void MediaBatch::integrate(std::span<const MediaSegment> rays, MediaResult* results, bool* done) {
   divide(rays);
   look_along();
   refine();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const Workspace::RayPart& part = workspace_.rays[i];
     done[i] = part.first != part.end && !part.lost;
-    if (done[i]) results[i] = result(static_cast<std::uint32_t>(i));
+    if (done[i])
+      results[i] = result(static_cast<std::uint32_t>(i));
+    else
+      tracer_.statistics().shadow_rays -= part.shadow_rays;  // they will be counted when it goes alone
   }
 }
 
-void MediaBatch::divide(std::span<const ContainerInterval> rays) {
+void MediaBatch::divide(std::span<const MediaSegment> rays) {
   const shading::SceneData& scene = tracer_.scene();
   workspace_.subintervals = rays;
   workspace_.rays.clear(), workspace_.intervals.clear(), workspace_.lights.clear();
@@ -102,7 +106,7 @@ void MediaBatch::divide(std::span<const ContainerInterval> rays) {
   workspace_.lit.assign(sources.size() * rays.size(), LitRange{0, 1.0, -1.0});
   const std::size_t each = 2 * static_cast<std::size_t>(mixture_.subintervals()) + 1;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const ContainerInterval& s = rays[i];
+    const MediaSegment& s = rays[i];
     const auto first = static_cast<std::uint32_t>(workspace_.intervals.size());
     const bool own_lights = s.end && (s.end->ignore_global_lights || !s.end->group_lights.empty());
     if (s.length > 0.0 && !own_lights) {
@@ -114,7 +118,7 @@ void MediaBatch::divide(std::span<const ContainerInterval> rays) {
           workspace_.intervals.push_back({span, static_cast<std::uint32_t>(i)});
       }
     }
-    workspace_.rays.push_back({first, static_cast<std::uint32_t>(workspace_.intervals.size()), false});
+    workspace_.rays.push_back({first, static_cast<std::uint32_t>(workspace_.intervals.size())});
   }
 }
 
@@ -303,8 +307,12 @@ void MediaBatch::add_light(std::size_t number, std::span<const Question> questio
               workspace_.subintervals[ray_of(k)].key);
   bool known[shading::ShadowBatch::kMax];
   tracer_.look_for_light(light, common_, batch, known);
-  for (int k = 0; k < bright; ++k)
-    packet.arriving.set(k, known[k] ? batch.light[k] : light_alone(light, k, ray_of(k), packet.arriving.at(k)));
+  for (int k = 0; k < bright; ++k) {
+    const std::uint32_t ray = ray_of(k);
+    const std::uint64_t counted = tracer_.statistics().shadow_rays - (known[k] ? 1 : 0);
+    packet.arriving.set(k, known[k] ? batch.light[k] : light_alone(light, k, ray, packet.arriving.at(k)));
+    workspace_.rays[ray].shadow_rays += tracer_.statistics().shadow_rays - counted;
+  }
   mixture_.scatter(bright, packet);
   for (int k = 0; k < bright; ++k) {
     if (!(packet.arriving.at(k).max_abs() > 0.0f)) continue;
@@ -324,7 +332,9 @@ Rgb MediaBatch::light_alone(const shading::Light& light, int lane, std::uint32_t
   const Rgb arriving = tracer_.shadowed(
       light, workspace_.packet.to_light.origin.at(lane),
       {workspace_.packet.to_light.direction.at(lane), workspace_.packet.distance[lane]}, state, nullptr, color);
-  workspace_.rays[ray].lost = tracer_.random().drawn();
+  const shading::Effects* const effects = tracer_.scene().effects;
+  const bool draws_count = !effects || effects->interior_draws_count || effects->air_draws_count;
+  workspace_.rays[ray].lost = draws_count ? tracer_.random().drawn() : tracer_.random().drawn_outside_media();
   return arriving;
 }
 

@@ -20,13 +20,13 @@ class MediaBatch {
   bool possible() const;
   // The results of at most kMaxRays rays, as integrate() gives them one by one. False in `done`: not found, because
   // numbers are drawn on the way to a light, or there were too many places to look at.
-  void integrate(std::span<const shading::ContainerInterval> rays, MediaResult* results, bool* done);
+  void integrate(std::span<const shading::MediaSegment> rays, MediaResult* results, bool* done);
 
  private:
   struct Workspace;
   struct Question;
 
-  void divide(std::span<const shading::ContainerInterval> rays);
+  void divide(std::span<const shading::MediaSegment> rays);
   void look_along();
   void refine();
   void ask(std::span<const Question> questions, MediaSample* samples);

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "tracer/effects/scene_effects.h"
 #include "tracer/shapes/test_support.h"
 
 namespace verisim::global {
@@ -85,7 +86,9 @@ struct Counts {
 Counts expect_the_same(const scene::Scene& scene, const std::vector<scene::Media>& descriptions) {
   textures::Compiler compiler{textures::Settings{}};
   const accel::World world(scene, compiler);
-  const shading::SceneData data(scene, world, compiler, 9, false);
+  const SceneEffects effects(scene, compiler, 9);
+  shading::SceneData data(scene, world, compiler, 9, false);
+  if (effects.any()) data.effects = &effects;
   shading::Tracer together(data, shading::RandomSource(false, 5)), alone(data, shading::RandomSource(false, 5));
   std::vector<CompiledMedia> compiled;
   for (const scene::Media& m : descriptions) compiled.push_back(compile_media(m, compiler));
@@ -97,7 +100,7 @@ Counts expect_the_same(const scene::Scene& scene, const std::vector<scene::Media
   Counts counts;
   for (int round = 0; round < 30; ++round) {
     const Vec3 from = point(), to = point();
-    std::vector<shading::ContainerInterval> rays;
+    std::vector<shading::MediaSegment> rays;
     Color seen;
     for (int i = 0; i <= round % static_cast<int>(MediaBatch::kMaxRays); ++i) {
       const Vec3 end = round % 3 == 0 ? point() : to + 0.02 * i * Vec3(1, 0, 0.5);
@@ -189,6 +192,18 @@ TEST(MediaBatch, LeavesRaysThatDrawNumbers) {
   for (const auto& object : scene.objects)
     if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>())) light->jitter = false;
   expect_all_together(expect_the_same(scene, {scattering(1, 0.1)}));
+}
+
+// Light that media of the air dim draws numbers there, which count only if the media vary.
+TEST(MediaBatch, FollowsLightThatIsDimmedOnItsWay) {
+  scene::Scene scene = lit_scene(false);
+  for (const auto& object : scene.objects)
+    if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>()))
+      light->media_attenuation = true;
+  scene.atmosphere = {scattering(2, 0.1)};
+  expect_all_together(expect_the_same(scene, scene.atmosphere));
+  scene.atmosphere[0].jitter = 0.5;
+  EXPECT_EQ(expect_the_same(scene, {scattering(2, 0.1)}).together, 0);
 }
 
 TEST(MediaBatch, LeavesRaysWithTooManyPlaces) {

@@ -28,8 +28,8 @@ struct LayerContext {
   Rgb filter;     // F_i: what the layers above let through
 };
 
-// A ray on its way through containers, up to a surface.
-struct ContainerInterval {
+// A ray on its way through media, up to a surface or, where `end` is null, for ever.
+struct MediaSegment {
   Ray ray;
   double length;
   const shapes::Surface* end;
@@ -49,18 +49,20 @@ class Effects {
 
   // Which hooks are in use.
   bool media_in_interiors = false, atmosphere = false, radiosity = false, photons = false, subsurface = false;
-  // What media of interiors do hangs on the random numbers that they draw.
-  bool interior_draws_count = false;
+  // What media of interiors, or of the air, do hangs on the random numbers that they draw.
+  bool interior_draws_count = false, air_draws_count = false;
 
   // Media of the interiors the ray is inside, over its segment [0, length] that ends at a surface; changes r, g, b and
   // see-through (spec 07 4.2).
   virtual void container_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface& /*end*/,
                                Color&) const {}
   // The same for several rays that are like `common` but for their ways and weights.
-  virtual void container_media(Tracer&, const RayState& /*common*/, std::span<const ContainerInterval>) const {}
+  virtual void container_media(Tracer&, const RayState& /*common*/, std::span<const MediaSegment>) const {}
   // Atmospheric media over any segment of a hollow ray; `end` is null when it hits nothing.
   virtual void atmosphere_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface* /*end*/,
                                 Color&) const {}
+  // The same for several rays that are like `common` but for their ways and weights.
+  virtual void atmosphere_media(Tracer&, const RayState& /*common*/, std::span<const MediaSegment>) const {}
   // The same on a shadow ray: attenuation only. `container`/`atmosphere`: which of the two act here.
   virtual void shadow_media(Tracer&, const RayState& /*shadow_ray*/, double /*length*/, bool /*container*/,
                             bool /*atmosphere*/, Rgb&) const {}

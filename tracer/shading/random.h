@@ -47,7 +47,8 @@ class RandomSource {
   }
   bool replay() const { return replay_; }
   // Whether any number was drawn since begin().
-  bool drawn() const { return (counters_[0] | counters_[1] | counters_[2]) != 0; }
+  bool drawn() const { return drawn_outside_media() || counters_[1] != 0; }
+  bool drawn_outside_media() const { return (counters_[0] | counters_[2]) != 0; }
   // Of the sequence that is being drawn from.
   Key key() const { return key_; }
 

@@ -122,11 +122,14 @@ void Tracer::apply_volumes(const RayState& ray, double length, const shapes::Sur
     if (count > 0) color = Color(sum * (1 / count), 0, color.t * see_through);
   }
   if (scene_.effects && scene_.effects->atmosphere) scene_.effects->atmosphere_media(*this, ray, length, end, color);
-  if (scene_.fog) {
-    const FogEffect fog =
-        fog_along(scene_.scene.fogs, ray.ray.origin, ray.ray.direction, length, scene_.scene.settings.noise_generator);
-    color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());
-  }
+  apply_fog(ray.ray, length, color);
+}
+
+void Tracer::apply_fog(const Ray& ray, double length, Color& color) const {
+  if (!scene_.fog) return;
+  const FogEffect fog =
+      fog_along(scene_.scene.fogs, ray.origin, ray.direction, length, scene_.scene.settings.noise_generator);
+  color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());
 }
 
 InteriorRange Tracer::copied(std::span<const scene::Interior* const> list) {

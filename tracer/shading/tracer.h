@@ -172,6 +172,7 @@ class Tracer {
   // ---- tracer.cpp
   bool cut_off(const RayState& ray) const;
   void apply_volumes(const RayState& ray, double length, const shapes::Surface* end, Color& color);
+  void apply_fog(const Ray& ray, double length, Color& color) const;
 
   // ---- surface.cpp
   Color shade(const RayState& ray, const shapes::Hit& hit);
@@ -251,6 +252,7 @@ class Tracer {
   bool rays_alone(const Light& light, const RayState& eye) const;
   template <class Opaque, class Mixed>
   void by_cells(const Light& light, const RayState& eye, const ShadowBatch& batch, Opaque&& opaque, Mixed&& mixed);
+  void dim(const Light& light, const RayState& eye, const int* index, int count, ShadowBatch& batch);
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
                   ShadowBatch& batch);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);

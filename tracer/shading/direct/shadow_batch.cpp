@@ -64,12 +64,10 @@ void block(const accel::World& world, double tolerance, const Travellers& cell, 
 
 }  // namespace
 
-// Shadow rays to this light go one by one: many to an area, or with things to meet or numbers to draw on their way that
-// the rows do not know.
+// Shadow rays to this light go one by one: many to an area, or with things to meet on their way that the rows do not
+// know.
 bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
-  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  return (light.area() && !eye.gather) || light.projector() || in_order_ ||
-         ((scene_.fog || media) && light.media_attenuation());
+  return (light.area() && !eye.gather) || light.projector() || in_order_;
 }
 
 // Calls opaque(cell, entry) for rays that meet nothing but opaque objects, and mixed(cell, entry) for others.
@@ -119,7 +117,7 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowBatch
 
 void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& batch) {
   if (!light.shadows() || batch.count == 0) return;
-  if (rays_alone(light, eye)) {
+  if (rays_alone(light, eye) || light_on_way_changes(light)) {
     for (int i = 0; i < batch.count; ++i) {
       random_.begin(batch.key[i]);
       batch.light[i] = shadowed(light, batch.rays.origin.at(i), {batch.rays.direction.at(i), batch.distance[i]}, eye,
@@ -150,7 +148,9 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& 
 void Tracer::look_for_light(const Light& light, const RayState& eye, ShadowBatch& batch, bool* known) {
   std::fill_n(known, batch.count, false);
   if (scene_.quality < 4 || !light.shadows() || rays_alone(light, eye)) return;
-  const bool draws = scene_.effects && scene_.effects->interior_draws_count;
+  const bool changes = light_on_way_changes(light);
+  const bool draws = scene_.effects && (scene_.effects->interior_draws_count || scene_.effects->air_draws_count);
+  if (changes && draws) return;
   const auto know = [&](const Travellers& cell) {
     for (int k = 0; k < cell.count; ++k) known[cell.index[k]] = true;
     statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
@@ -159,13 +159,25 @@ void Tracer::look_for_light(const Light& light, const RayState& eye, ShadowBatch
       light, eye, batch,
       [&](const Travellers& cell, accel::WorldEntry* entry) {
         block(scene_.world, contact_tolerance(light), cell, entry, batch);
+        if (changes) dim(light, eye, cell.index, cell.count, batch);
         know(cell);
       },
       [&](const Travellers& cell, accel::WorldEntry* entry) {
-        if (draws) return;
+        if (draws || changes) return;
         filter_row(light, eye, entry, cell.index, cell.count, batch);
         know(cell);
       });
+}
+
+// Fog and media take their share of the light of those rays `index` of a batch that nothing blocks.
+void Tracer::dim(const Light& light, const RayState& eye, const int* index, int count, ShadowBatch& batch) {
+  RayState ray = eye;
+  for (int k = 0; k < count; ++k) {
+    const int i = index[k];
+    if (batch.light[i] == Rgb()) continue;
+    ray.ray = batch.rays.at(i);
+    shadow_volumes({eye, batch.lit[i], light}, ray, batch.distance[i], false, batch.light[i]);
+  }
 }
 
 // filter_along() for the rays `index` of a batch: where transparent surfaces may be met. Nothing but media of

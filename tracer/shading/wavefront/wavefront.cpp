@@ -311,18 +311,31 @@ void Wavefront::shade(int count, Color* out) {
   apply_volumes(count, cut_off, out);
 }
 
+// Of ray i, with the numbers of one of its branches.
+MediaSegment Wavefront::segment(int i, std::uint32_t branch, Color& color) const {
+  return {packet_.rays.at(i), found_[i] ? hits_[i].t : kMissDistance, found_[i] ? hits_[i].shape->surface : nullptr,
+          RandomSource::branch_key(keys_[i], branch), &color};
+}
+
 void Wavefront::apply_volumes(int count, const bool* cut_off, Color* out) {
   if (!state_.hollow || !state_.volumes) return;
   const bool container = scene_.effects && scene_.effects->media_in_interiors && state_.interiors.count > 0;
   if (!container && !tracer_.has_volumes_) return;
   if (container) {
-    ContainerInterval intervals[kMax];
+    MediaSegment segments[kMax];
     std::size_t n = 0;
     for (int i = 0; i < count; ++i)
-      if (found_[i] && !cut_off[i])
-        intervals[n++] = {packet_.rays.at(i), hits_[i].t, hits_[i].shape->surface,
-                          RandomSource::branch_key(keys_[i], RandomBranch::kContainer), &out[i]};
-    scene_.effects->container_media(tracer_, state_, std::span(intervals, n));
+      if (found_[i] && !cut_off[i]) segments[n++] = segment(i, RandomBranch::kContainer, out[i]);
+    scene_.effects->container_media(tracer_, state_, std::span(segments, n));
+  }
+  if (scene_.effects && scene_.effects->atmosphere && scene_.rainbows.empty()) {
+    MediaSegment segments[kMax];
+    std::size_t n = 0;
+    for (int i = 0; i < count; ++i)
+      if (!cut_off[i]) segments[n++] = segment(i, RandomBranch::kAir, out[i]);
+    scene_.effects->atmosphere_media(tracer_, state_, std::span(segments, n));
+    for (const MediaSegment& s : std::span(segments, n)) tracer_.apply_fog(s.ray, s.length, *s.color);
+    return;
   }
   for (int i = 0; i < count && tracer_.has_volumes_; ++i) {
     if (cut_off[i]) continue;

@@ -141,6 +141,7 @@ class Wavefront {
   // ---- wavefront.cpp
   void run(int count, const accel::WorldEntry* const* entries, Color* out);
   void shade(int count, Color* out);
+  MediaSegment segment(int i, std::uint32_t branch, Color& color) const;
   void apply_volumes(int count, const bool* cut_off, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);

@@ -273,6 +273,24 @@ TEST(Wavefront, SeesMediaOfContainersAsSingleRaysDo) {
   expect_the_same_together(scene_in_container(0.5));
 }
 
+// Fog and media fill the air; one light is dimmed by both, the other may draw numbers on its way.
+TEST(Wavefront, SeesMediaOfTheAirAsSingleRaysDo) {
+  for (const bool foggy : {true, false}) {
+    for (const double jitter : {0.0, 0.5}) {
+      scene::Scene scene = mixed_scene(foggy);
+      scene.atmosphere.push_back(media(Rgb(0.01f), jitter));
+      expect_the_same_together(scene);
+      for (const auto& object : scene.objects) {
+        auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>());
+        if (!light || light->media_attenuation) continue;
+        light->area = light->jitter = true;
+        light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 2;
+      }
+      expect_the_same_together(scene);
+    }
+  }
+}
+
 // What is found for many points at once is what each finds alone: also beyond the container, where its wall is met.
 TEST(Wavefront, LooksForLightInSpace) {
   scene::Scene scene = scene_in_container(0);

@@ -151,10 +151,11 @@ TEST(HeightFields, FunctionsAreSampledInSinglePrecision) {
   for (const char* text : {"height_field{function 2001,2{x}}",
                            "height_field{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}"}) {
     const auto object = object_of(text);
-    const Image& image = *(*object->as<std::shared_ptr<const scene::HeightField>>())->image.image;
-    EXPECT_EQ(image.at(1557, 0).r, 51019 / 65535.0f) << text;
-    EXPECT_EQ(image.at(1957, 0).r, 64126 / 65535.0f) << text;
-    EXPECT_EQ(image.at(1000, 0).r, 32767 / 65535.0f) << text;
+    const scene::HeightMap& map = *(*object->as<std::shared_ptr<const scene::HeightField>>())->map;
+    const std::uint16_t* const top = &map.heights[2001];
+    EXPECT_EQ(top[1557], 51019) << text;
+    EXPECT_EQ(top[1957], 64126) << text;
+    EXPECT_EQ(top[1000], 32767) << text;
   }
 }
 
@@ -213,10 +214,10 @@ TEST(Objects, SpheresForgetTheirUvWhereNobodyAsksForIt) {
   EXPECT_TRUE(keeps_uv("pigment { rgb x } interior_texture { pigment { uv_mapping checker } }"));
 }
 
-TEST(HeightFields, ImagesOfFunctionsShareTheirTable) {
-  const auto image = [](const char* function) {
-    return payload<scene::HeightField>(object_of(std::string("height_field { function 3, 3 { ") + function + " } }"))
-        .image.image;
+TEST(Images, OfFunctionsShareTheirTable) {
+  const auto image = [](const std::string& function) {
+    const auto object = object_of("box { 0, 1 pigment { image_map { function 3, 3 { " + function + " } } } }");
+    return std::get<scene::ImageParams>(*object->texture->layers[0].pigment->pattern.params).image;
   };
   const auto a = image("x"), b = image("y");
   EXPECT_NE(a, b);

@@ -1,13 +1,15 @@
 // height_field { image [water_level L] [smooth] } (spec 04 section 5).
 #include "parser/scene/objects.h"
 #include "parser/scene/textures/pattern.h"
+#include "tracer/image/height_map.h"
 
 namespace verisim::parser {
 
 ObjectRef parse_height_field(Parser& parser) {
   return shape_block(parser, [&](scene::Object& object) {
     auto field = std::make_shared<scene::HeightField>();
-    field->image = parse_image(parser, ImageUse::height_field);
+    if (const ImagePtr image = parse_image(parser, ImageUse::height_field).image)
+      field->map = image::height_map(*image);
     for (;;) {
       if (parser.accept(Word::water_level)) {
         field->water_level = parser.parse_float();

@@ -81,13 +81,15 @@ class HeightField final : public Primitive<HeightField> {
 
  private:
   HeightField(const scene::Object& description, std::shared_ptr<const HeightGrid> grid)
-      : Primitive(description, {box_of(*grid), false}),
+      : Primitive(description, {box_of({grid->bottom(), grid->top()}), false}),
         grid_(std::move(grid)),
         scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
 
  public:
   void join_csg() { in_csg_ = true; }
-  static Box3 box_of(const HeightGrid& grid) { return Box3({0, grid.bottom() / 65536, 0}, {1, grid.top() / 65536, 1}); }
+  static Box3 box_of(const HeightGrid::Limits& limits) {
+    return Box3({0, limits.bottom / 65536, 0}, {1, limits.top / 65536, 1});
+  }
 
  private:
   // Normal of a cell's triangle (0: at the near corner, 1: at the far one) in grid units.
@@ -250,6 +252,6 @@ std::unique_ptr<Shape> compile_height_field(const scene::Object& object) {
 void join_csg(Shape& shape) {
   if (auto* field = dynamic_cast<HeightField*>(&shape)) field->join_csg();
 }
-Box3 height_field_box(const scene::HeightField& field) { return HeightField::box_of(HeightGrid(field)); }
+Box3 height_field_box(const scene::HeightField& field) { return HeightField::box_of(HeightGrid::limits(field)); }
 
 }  // namespace verisim::shapes

@@ -4,55 +4,27 @@
 #include <atomic>
 #include <cmath>
 
-#include "tracer/image/image.h"
 #include "tracer/shapes/shared_payload.h"
 
 namespace verisim::shapes {
-
-std::uint16_t height_of_pixel(const Image& image, int x, int y) {
-  if (image.indexed()) return static_cast<std::uint16_t>(image.index(x, y) * 256);
-  const Color c = image.at(x, y);
-  const auto wrapped = [](double v) {
-    return std::isfinite(v) ? static_cast<std::uint16_t>(static_cast<std::int64_t>(v) & 0xffff) : std::uint16_t{0};
-  };
-  if (image.grey) {
-    if (image.type == ImageType::png && !image.sixteen_bit && !image.has_alpha) {
-      // Such files go through a luma of three equal channels in binary32, which is often one unit in the last place too
-      // small.
-      const float g = c.r;
-      const float red = g * 0.297f, green = g * 0.589f, blue = g * 0.114f;
-      const float luma = red + green + blue;
-      return static_cast<std::uint16_t>(static_cast<int>(luma * 255.0f) * 257);
-    }
-    return wrapped(std::clamp(static_cast<double>(c.r), 0.0, 1.0) * 65535 +
-                   0.01);  // 0.01: the float nearest to n / 65535 must give n
-  }
-  // Double weights of binary32 channels: of a grey n the sum is often a little less than n, and the height n - 1.
-  if (image.sixteen_bit) return wrapped((0.297 * c.r + 0.589 * c.g + 0.114 * c.b) * 65535);
-  return wrapped((static_cast<double>(c.r) * 256 + c.g) * 255 + 1e-3);
-}
 
 std::shared_ptr<const HeightGrid> HeightGrid::of(const std::shared_ptr<const scene::HeightField>& field) {
   return shared_payload<HeightGrid>(field, [&] { return std::make_shared<HeightGrid>(*field); });
 }
 
-HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_level * 65536) {
-  const Image* image = field.image.image.get();
-  if (!image || image->width < 1 || image->height < 1) return;
-  width_ = image->width, depth_ = image->height;
-  heights_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_));
-  std::size_t n = 0;
-  for (int k = 0; k < depth_; ++k) {
-    for (int i = 0; i < width_; ++i) {
-      const std::uint16_t h = height_of_pixel(*image, i, depth_ - 1 - k);
-      heights_[n++] = h;
-      lowest_ = std::min<int>(lowest_, h), highest_ = std::max<int>(highest_, h);
-    }
-  }
+HeightGrid::Limits HeightGrid::limits(const scene::HeightField& field) {
+  const scene::HeightMap none, &map = field.map ? *field.map : none;
+  return {std::max<double>(map.lowest, field.water_level * 65536) - 0.001, map.highest + 0.001};
+}
+
+HeightGrid::HeightGrid(const scene::HeightField& field)
+    : map_(field.map), water_(field.water_level * 65536), limits_(limits(field)) {
+  if (!map_) return;
+  width_ = map_->width, depth_ = map_->depth, heights_ = map_->heights.data();
   if (empty()) return;
   build_pyramid();
   smooth_ = field.smooth;
-  if (smooth_) normals_.reset(static_cast<std::uint64_t*>(std::calloc(heights_.size(), sizeof(std::uint64_t))));
+  if (smooth_) normals_.reset(static_cast<std::uint64_t*>(std::calloc(map_->heights.size(), sizeof(std::uint64_t))));
 }
 
 // Extremes of the cells of one row, from the heights below and above it.

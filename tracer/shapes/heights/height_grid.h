@@ -1,4 +1,4 @@
-// The heights of a height_field, shared by copies: samples, a pyramid of their extremes for fast traversal, and
+// What finds hits of a height_field, shared by copies: its heights, a pyramid of their extremes for fast traversal, and
 // quantised normals (spec 04 section 5).
 #pragma once
 
@@ -24,12 +24,16 @@ class HeightGrid {
   int at(int i, int k) const {
     return heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
   }
-  int lowest() const { return lowest_; }
-  int highest() const { return highest_; }
+  int lowest() const { return map_->lowest; }
+  int highest() const { return map_->highest; }
   double water() const { return water_; }
   // Vertical limits of what is visible, in grid units.
-  double bottom() const { return std::max<double>(lowest_, water_) - 0.001; }
-  double top() const { return highest_ + 0.001; }
+  double bottom() const { return limits_.bottom; }
+  double top() const { return limits_.top; }
+  struct Limits {
+    double bottom, top;
+  };
+  static Limits limits(const scene::HeightField& field);
 
   // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have
   // low > high.
@@ -70,17 +74,16 @@ class HeightGrid {
   static Level blocks_of_blocks(const Level& below);
   void build_pyramid();
 
-  int width_ = 0, depth_ = 0, lowest_ = 65535, highest_ = 0;
+  std::shared_ptr<const scene::HeightMap> map_;
+  int width_ = 0, depth_ = 0;
   double water_ = 0;
-  std::vector<std::uint16_t> heights_;
+  Limits limits_;
+  const std::uint16_t* heights_ = nullptr;  // of the map
   std::vector<Level> levels_;
   bool smooth_ = false;
   // Normals that have been asked for: three times sixteen bits, and one that says so. What nobody looks at takes no
   // memory. Null: there was none, they are computed each time.
   std::unique_ptr<std::uint64_t[], Free> normals_;
 };
-
-// Height 0 .. 65535 of pixel (x, y).
-std::uint16_t height_of_pixel(const Image& image, int x, int y);
 
 }  // namespace verisim::shapes

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tracer/math/constants.h"
+#include "tracer/math/luma.h"
 
 namespace verisim::textures {
 namespace {
@@ -219,13 +220,13 @@ double image_pattern(const ImageLookup& l, const Vec3& p) {
   if (!locate(l, p, u, v)) return 0;
   const Color c = raw_color(l, u, v);
   const double opaque = l.image->indexed() ? 0.0 : c.r;  // (sic) what use_alpha finds where there is none
-  const double value = l.use_alpha ? (l.image->has_alpha ? c.t : opaque) : c.grey();
+  const double value = l.use_alpha ? (l.image->has_alpha ? c.t : opaque) : luma(c);
   return std::clamp(value, 0.0, 1.0);
 }
 
 double bump_height(const ImageLookup& l, double u, double v) {
   if (l.use_index && l.image->indexed()) return raw_index(l, u, v);
-  return raw_color(l, u, v).grey();
+  return luma(raw_color(l, u, v));
 }
 
 int material_number(const ImageLookup& l, const Vec3& p) {

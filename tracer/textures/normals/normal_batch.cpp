@@ -2,6 +2,7 @@
 // are asked point by point.
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/textures/normals/normal.h"
+#include "tracer/textures/normals/dents.h"
 #include "tracer/textures/normals/normal_kernels.h"
 #include "tracer/textures/point_batch.h"
 
@@ -34,7 +35,8 @@ void displace(const CompiledNormal& c, int count, const PointBatch& p, PointBatc
     patterns_of().vector_noise_batch(count, p, vectors);
     if (c.pattern->kind == scene::PatternKind::dents) {
       alignas(64) double noise[PointBatch::kMax];
-      patterns_of().noise_batch(c.pattern->noise_generator, count, p, noise);
+      for (int i = 0; i < PointBatch::kMax; ++i)
+        noise[i] = i < count ? dents_noise(p.at(i), c.pattern->noise_generator) : 0;
       normals_of().scale_by_cubes(count, noise, vectors);
     }
   }

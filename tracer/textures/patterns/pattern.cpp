@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "tracer/math/luma.h"
 #include "tracer/functions/function.h"
 #include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/formulas.h"
@@ -27,7 +28,7 @@ double object(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
 
 double pigment_pattern(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
   Color color;
-  return evaluate(*c.as<PigmentData>().pigment, p, surface, color) ? color.grey() : 0.0f;
+  return evaluate(*c.as<PigmentData>().pigment, p, surface, color) ? luma(color) : 0.0f;
 }
 
 void function_batch(const Function& function, int count, const PointBatch& points, double* v) {
@@ -42,7 +43,7 @@ void pigment_pattern_batch(const CompiledPigment& pigment, int count, const Poin
   Color colors[PointBatch::kMax];
   bool colored[PointBatch::kMax];
   evaluate(pigment, count, points, surfaces, colors, colored);
-  for (int i = 0; i < count; ++i) v[i] = colored[i] ? colors[i].grey() : 0.0f;
+  for (int i = 0; i < count; ++i) v[i] = colored[i] ? luma(colors[i]) : 0.0f;
 }
 
 double image_pattern(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {

@@ -302,6 +302,7 @@ class Parametric final : public Primitive<Parametric> {
       halve(cell, child, halves);
       stack[count++] = {halves[1], child ? child + 1 : 0, depth + 1};
       stack[count++] = {halves[0], child, depth + 1};
+      for (std::uint64_t k = 0; k < 4; ++k) __builtin_prefetch(&entry_of(2 * child + k));  // soon asked for
     }
   }
 

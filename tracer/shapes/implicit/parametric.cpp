@@ -30,6 +30,10 @@ struct Cell {
   Vec2 corner(int k) const { return {k < 2 ? u0 : u1, k % 2 == 0 ? v0 : v1}; }
 };
 using CellBox = std::array<Interval, 3>;
+struct Half {
+  Cell cell;
+  CellBox box;
+};
 
 // Direct-mapped cache of cell boxes, one per thread.
 struct BoxCache {
@@ -82,6 +86,7 @@ class Parametric final : public Primitive<Parametric> {
     if (p_.low.x > p_.high.x) std::swap(p_.low.x, p_.high.x);
     if (p_.low.y > p_.high.y) std::swap(p_.low.y, p_.high.y);
     if (p_.precompute_depth > 0) precompute();
+    whole_box_ = box_of_all();
   }
 
   template <class Sink>
@@ -154,19 +159,50 @@ class Parametric final : public Primitive<Parametric> {
     return r;
   }
 
-  CellBox box(const Cell& c, std::uint64_t node) const {
-    BoxCache::Entry* entry = nullptr;
-    if (node != 0) {
-      entry = &box_cache().entries[(node * 0x9e3779b97f4a7c15u ^ id_ * 0xff51afd7ed558ccdu) >> 49];
-      if (entry->shape == id_ && entry->node == node) return entry->box;
+  // Where the box of a node is remembered.
+  BoxCache::Entry& entry_of(std::uint64_t node) const {
+    return box_cache().entries[(node * 0x9e3779b97f4a7c15u ^ id_ * 0xff51afd7ed558ccdu) >> 49];
+  }
+
+  // The boxes of both halves of a cell, the nodes `child` and child + 1 (0: they have no numbers). Whoever looks into a
+  // cell looks at both: so functions are evaluated at eight corners at a time.
+  void halve(const Cell& c, std::uint64_t child, Half halves[2]) const {
+    bool known[2] = {false, false};
+    for (unsigned upper = 0; upper < 2; ++upper) {
+      halves[upper].cell = half(c, upper != 0);
+      if (child == 0) continue;
+      const BoxCache::Entry& entry = entry_of(child + upper);
+      known[upper] = entry.shape == id_ && entry.node == child + upper;
+      if (known[upper]) halves[upper].box = entry.box;
     }
-    CellBox result;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto k = static_cast<std::size_t>(axis);
-      result[k] = node != 0 && node < table_[k].size() ? table_[k][node] : interval(axis, c);
+    if (known[0] && known[1]) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (child != 0 && child + 1 < table_[axis].size()) {
+        for (unsigned upper = 0; upper < 2; ++upper) halves[upper].box[axis] = table_[axis][child + upper];
+      } else {
+        intervals(axis, halves);
+      }
     }
-    if (entry) *entry = {id_, node, result};
-    return result;
+    for (unsigned upper = 0; upper < 2; ++upper)
+      if (child != 0 && !known[upper]) entry_of(child + upper) = {id_, child + upper, halves[upper].box};
+  }
+  void intervals(std::size_t axis, Half halves[2]) const {
+    constexpr std::size_t kCorners = 8;
+    double arguments[3 * kCorners] = {};  // the third is zero
+    for (int k = 0; k < static_cast<int>(kCorners); ++k) {
+      const Vec2 at = halves[k / 4].cell.corner(k % 4);
+      arguments[k] = at.x, arguments[kCorners + static_cast<std::size_t>(k)] = at.y;
+    }
+    std::array<double, kCorners> f;
+    p_.function[axis]->evaluate_batch(arguments, kCorners, kCorners, f.data());
+    halves[0].box[axis] = enclosure(halves[0].cell, {f[0], f[1], f[2], f[3]});
+    halves[1].box[axis] = enclosure(halves[1].cell, {f[4], f[5], f[6], f[7]});
+  }
+  CellBox box_of_all() const {
+    CellBox box;
+    for (std::size_t k = 0; k < 3; ++k)
+      box[k] = table_[k].size() > 1 ? table_[k][1] : interval(static_cast<int>(k), whole());
+    return box;
   }
 
   // The last level of the table holds the intervals, the others the union of their children: node n has the children 2n
@@ -224,17 +260,20 @@ class Parametric final : public Primitive<Parametric> {
 
   void search(const Vec3& o, const Vec3& d, double begin, double end, double& best, double& u, double& v) const {
     struct Waiting {
-      Cell cell;
+      Half half;
       std::uint64_t node;
       int depth;
     };
     Waiting stack[kMaxDepth + 2];
     int count = 0;
-    stack[count++] = {whole(), 1, 0};
+    stack[count++] = {{whole(), whole_box_}, 1, 0};
     const Vec3 inverse(1 / d.x, 1 / d.y, 1 / d.z);
     while (count > 0) {
-      const auto [cell, node, depth] = stack[--count];
-      const CellBox bounds = box(cell, node);
+      const Waiting& waiting = stack[--count];
+      const Cell cell = waiting.half.cell;
+      const CellBox& bounds = waiting.half.box;
+      const std::uint64_t node = waiting.node;
+      const int depth = waiting.depth;
       // The ray parameters of the three slabs must overlap; the depth of a hit is where the last one begins.
       double low = -kInfinity, high = kInfinity, entry = 0, widest = 0;
       bool missed = false;
@@ -259,14 +298,18 @@ class Parametric final : public Primitive<Parametric> {
       }
       // Node numbers beyond 64 bits are not cached.
       const std::uint64_t child = node != 0 && node < std::uint64_t{1} << 62 ? 2 * node : 0;
-      stack[count++] = {half(cell, true), child ? child + 1 : 0, depth + 1};
-      stack[count++] = {half(cell, false), child, depth + 1};
+      Half halves[2];
+      halve(cell, child, halves);
+      stack[count++] = {halves[1], child ? child + 1 : 0, depth + 1};
+      stack[count++] = {halves[0], child, depth + 1};
+      for (std::uint64_t k = 0; k < 4; ++k) __builtin_prefetch(&entry_of(2 * child + k));  // soon asked for
     }
   }
 
   scene::Parametric p_;
   std::uint64_t id_;
   std::array<std::vector<Interval>, 3> table_;
+  CellBox whole_box_;
 };
 
 }  // namespace

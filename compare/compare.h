@@ -122,6 +122,7 @@ struct NativeResult {
   enum class Outcome : std::uint8_t { rendered, unsupported, error };
   Outcome outcome = Outcome::error;
   std::string message;  // what is not supported or wrong, with its place
+  std::string console;  // of a process that rendered: its standard error
   enum class Ending : std::uint8_t { by_itself, by_signal, out_of_time };
   Ending ending = Ending::by_itself;  // of a process; by_signal: it crashed
   double seconds = 0, cpu_seconds = 0;

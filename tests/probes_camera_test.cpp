@@ -146,6 +146,18 @@ TEST(P5, FocalBlur) {
   }
 }
 
+// The lens lies on both sides of a plane that is not hollow: after a ray from within it none of the same place sees
+// fog.
+TEST(P5, FocalBlurBesideThingsThatAreNotHollow) {
+  const auto picture =
+      render_text(kLinear +
+                      "camera { location 0.1*x direction z*1000 focal_point <0.1,0,1e6> aperture 1 blur_samples 4 }"
+                      "fog { distance 1e-3 rgb 1 } plane { x, 0 } sphere { <9,9,-9>, 1 }",
+                  32, 24);
+  const float expected[] = {0, 0, .5, .5, .5, 0, 0, 0, 0, 1, 0, .5, 0, 1, 0, .5, .5, 1, 0, 0, 0, .5, .5, 0, 0, 0, .5};
+  for (int x = 0; x < 27; ++x) EXPECT_NEAR(picture.at(x, 0).r, expected[x], 1e-5) << x;
+}
+
 TEST(P6, FisheyeAlpha) {
   render::Options options;
   options.output_alpha = true;

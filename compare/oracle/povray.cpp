@@ -354,7 +354,7 @@ NativeResult render_with_povray(const OracleProgram& program, const OracleOption
                    request.folder, clean_environment(home.path(), ini), request.time_limit, request.cancel});
   out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
   if (run.succeeded())
-    out.outcome = NativeResult::Outcome::rendered;
+    out.outcome = NativeResult::Outcome::rendered, out.console = run.err;
   else
     out.message = failure(program, run, request.time_limit), out.ending = ending_of(run);
   return out;

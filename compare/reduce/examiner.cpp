@@ -10,6 +10,7 @@
 #include "compare/oracle/povray.h"
 #include "compare/oracle/switches.h"
 #include "compare/oracle/working_copy.h"
+#include "compare/reduce/messages.h"
 #include "compare/regression/renders.h"
 
 namespace verisim::compare {
@@ -81,6 +82,9 @@ bool possible(const Difference& wanted, const NativeResult& native) {
   if (wanted.kind == Kind::only_povray || wanted.kind == Kind::unsupported)
     return !draws && kernel_of(native.message) == kernel_of(wanted.message) &&
            (native.outcome == NativeResult::Outcome::unsupported) == (wanted.kind == Kind::unsupported);
+  if (wanted.kind == Kind::verisim_warns && draws)
+    return std::ranges::any_of(messages_of(native.console).warnings,
+                               [&](const std::string& warning) { return same_warning(warning, wanted.message); });
   return draws || wanted.kind == Kind::povray_crashes;
 }
 
@@ -154,6 +158,8 @@ bool same_difference(const Difference& whole, const Difference& candidate) {
   if (whole.kind == Kind::picture)
     return candidate.limit == whole.limit && candidate.pixels * 4 >= std::min(whole.pixels, kEnough) &&
            (candidate.largest > kLastBits) == (whole.largest > kLastBits);
+  if (whole.kind == Kind::debug_text) return true;
+  if (is_of_messages(whole.kind)) return same_warning(whole.message, candidate.message);
   return whole.kind != Kind::none && whole.kind != Kind::undecided &&
          kernel_of(whole.message) == kernel_of(candidate.message);
 }
@@ -178,6 +184,12 @@ std::string in_words(const Difference& d) {
       return "verisim crashes: " + d.message;
     case Kind::povray_crashes:
       return "POV-Ray crashes; " + d.message;
+    case Kind::verisim_warns:
+      return "only verisim warns: " + d.message;
+    case Kind::povray_warns:
+      return "only POV-Ray warns: " + d.message;
+    case Kind::debug_text:
+      return "#debug writes " + d.message;
   }
   return {};
 }
@@ -227,6 +239,27 @@ Examination Examiner::examine(const std::string& text, const Frame& frame, bool 
   out.oracle_seconds = oracle.cpu_seconds;
   if (cancel_ && *cancel_) return out;
   out.difference = difference_of(native, oracle, ours, theirs);
+  const bool messages_matter = wanted && is_of_messages(wanted->kind),
+             both_draw = out.difference.kind == Kind::none || out.difference.kind == Kind::picture;
+  if (both_draw && oracle.outcome == NativeResult::Outcome::rendered &&
+      (messages_matter || (!wanted && out.difference.kind == Kind::none)))
+    out.difference = said(text, frame, time_limit, native, oracle, wanted);
+  return out;
+}
+
+// POV-Ray loses a message now and then: what it does not say is asked for again.
+Difference Examiner::said(const std::string& text, const Frame& frame, double time_limit, const NativeResult& native,
+                          NativeResult oracle, const Difference* wanted) {
+  constexpr int kTimes = 3;
+  const Messages ours = messages_of(native.console);
+  Difference out;
+  for (int i = 0; i < kTimes; ++i) {
+    Picture unused;
+    if (i > 0) oracle = povray(text, frame, time_limit, unused);
+    if (oracle.outcome != NativeResult::Outcome::rendered || (cancel_ && *cancel_)) return {};
+    out = message_difference(ours, messages_of(oracle.console), wanted);
+    if (out.kind == Kind::none || out.kind == Kind::povray_warns) break;
+  }
   return out;
 }
 

@@ -18,6 +18,9 @@ struct Difference {
     unsupported,   // by verisim
     verisim_crashes,
     povray_crashes,  // where verisim does not
+    verisim_warns,   // of something that POV-Ray does not warn of; the pictures are the same, or do not matter
+    povray_warns,    // and the reverse
+    debug_text,      // of #debug is another
   };
   Kind kind = Kind::none;
   std::size_t pixels = 0;  // that differ by more than `limit` code values
@@ -60,6 +63,8 @@ class Examiner {
  private:
   NativeResult native(const std::string& text, const Frame& frame, bool replay, double time_limit, Picture& picture);
   NativeResult povray(const std::string& text, const Frame& frame, double time_limit, Picture& picture);
+  Difference said(const std::string& text, const Frame& frame, double time_limit, const NativeResult& native,
+                  NativeResult oracle, const Difference* wanted);
 
   SceneRequest scene_;
   NativeRenderer native_;

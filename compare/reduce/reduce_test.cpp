@@ -93,6 +93,23 @@ TEST_F(Reduce, Crashes) {
   EXPECT_EQ(r.text, "prism { }\n");
 }
 
+// Both draw the same, and one of them warns of a lathe with three points.
+TEST_F(Reduce, WhatOnlyOneWarnsOf) {
+  options_of_.native = [this](const NativeRequest& request) {
+    NativeResult out = ours(request);
+    std::ifstream in(request.scene);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    if (text.find("cone { 3") != std::string::npos) out.console = "a.pov:3:1: warning: Three are few. [few]\n  3 | x\n";
+    if (text.find("#debug") != std::string::npos) out.console += "one\n";
+    return out;
+  };
+  const Reduction r = reduced(kRest + "union { cone { 3 } sphere { 0, 1 } }\n" + kRest);
+  EXPECT_EQ(r.difference.kind, Difference::Kind::verisim_warns);
+  EXPECT_EQ(r.text, "cone { 3 }\n");
+  EXPECT_EQ(in_words(r.difference), "only verisim warns: Three are few.");
+  EXPECT_EQ(reduced(kRest + "#debug \"one\\n\"\n").difference.kind, Difference::Kind::none);  // POV-Ray is silent
+}
+
 TEST_F(Reduce, NothingWhereBothAgree) {
   const Reduction r = reduced(kRest);
   EXPECT_EQ(r.difference.kind, Difference::Kind::none);

@@ -90,6 +90,7 @@ NativeRenderer native_program(const std::filesystem::path& program, const std::v
     read_statistics(statistics, out);
     if (run.succeeded()) {
       out.outcome = NativeResult::Outcome::rendered;
+      out.console = run.err;
       return out;
     }
     out.message = message_of(run.err);

@@ -139,7 +139,7 @@ const Value* Parser::Impl::peek_value() {
 
 // ---- The public face ----
 
-const Value* Parser::peek_value() { return impl_->peek_value(); }
+const Value* Parser::peek_value() { return impl_->stopped() ? nullptr : impl_->peek_value(); }
 
 const Value& Parser::take_value() {
   Impl& impl = *impl_;

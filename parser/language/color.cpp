@@ -115,7 +115,7 @@ Numeric Parser::Impl::color(ColorTerms terms) {
 // ---- The public face ----
 
 bool Parser::at_color_keyword() {
-  const Token& token = impl_->peek();
+  const Token& token = impl_->peek_item();
   return token.kind == TokenKind::word && word_class(token.word) == WordClass::color && token.word != Word::gray;
 }
 

@@ -52,6 +52,14 @@ const Token& Parser::Impl::fetch_blocked() {
   }
 }
 
+bool Parser::Impl::stopped() {
+  if (!in_further_layer) return false;
+  const Token& token = peek_blocked();
+  if (token.kind != TokenKind::identifier) return token.kind == TokenKind::directive;
+  const Symbol* symbol = names[token.id()].symbol;
+  return symbol && symbol->is_macro;
+}
+
 Token Parser::Impl::take_raw() {
   const Token token = peek_blocked();
   if (token.kind != TokenKind::end) skip_token();
@@ -124,22 +132,22 @@ void Parser::Impl::missing_surface(std::string_view what) {
 
 // ---- The public face ----
 
-const Token& Parser::peek() { return impl_->peek(); }
+const Token& Parser::peek() { return impl_->peek_item(); }
 const Token& Parser::peek_blocked() { return impl_->peek_blocked(); }
 
 Token Parser::next() {
-  const Token token = impl_->peek();
+  const Token token = impl_->peek_item();
   if (token.kind != TokenKind::end) impl_->skip_token();
   return token;
 }
 
 bool Parser::at(Word word) {
-  const Token& token = impl_->peek();
+  const Token& token = impl_->peek_item();
   return token.word == word && token.kind == TokenKind::word;
 }
 
-bool Parser::at(char punctuation) { return impl_->peek().punctuation == punctuation; }
-bool Parser::at_end() { return impl_->peek().kind == TokenKind::end; }
+bool Parser::at(char punctuation) { return impl_->peek_item().punctuation == punctuation; }
+bool Parser::at_end() { return impl_->peek_item().kind == TokenKind::end; }
 
 bool Parser::accept(Word word) {
   if (!at(word)) return false;
@@ -161,10 +169,10 @@ void Parser::expect(char punctuation) {
   if (!accept(punctuation)) error_expected(std::string_view(&punctuation, 1));
 }
 
-bool Parser::at_number_start() { return impl_->starts_numeric(impl_->peek()); }
+bool Parser::at_number_start() { return impl_->starts_numeric(impl_->peek_item()); }
 
 scene::SourceLocation Parser::place() {
-  const Token& token = impl_->peek();
+  const Token& token = impl_->peek_item();
   const Source& source = *impl_->file->source;
   const Position at = source.position(token.offset);
   const scene::SourceLocation place{source.shared_name(), at.line, at.column};

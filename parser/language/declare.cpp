@@ -52,8 +52,9 @@ void Parser::Impl::declare(bool local) {
   }
   Value value;
   const std::uint32_t outer = std::exchange(declaring, created ? created->name : 0);
+  const bool layer = std::exchange(in_further_layer, false), operators = std::exchange(blocked, false);
   const Ending ending = right_hand_side(value);
-  declaring = outer;
+  declaring = outer, in_further_layer = layer, blocked = operators;
   if (options.recorder) record(name, value);
   if (options.origins) name_object(name, value);
   if (target) assign(*target, std::move(value));

@@ -92,6 +92,9 @@ struct Parser::Impl {
   // Where an operator, a comma or a terminator is expected: blocked at the top level of a right-hand side (spec 01
   // section 4, B2 and B3).
   const Token& peek_operator() { return blocked ? peek_blocked() : peek(); }
+  // Where an item of a block is expected: blocked in the further layers of a declared texture (B6).
+  const Token& peek_item() { return in_further_layer ? peek_blocked() : peek(); }
+  bool stopped();  // there, by a directive or a macro's name
   void skip_token() {
     ready = false;
     ++position;
@@ -349,6 +352,7 @@ struct Parser::Impl {
   const Token* not_fast = nullptr;  // where the fast paths have just given up
   bool ready = false;               // *position is a token for the parser: directives before it are done
   bool blocked = false;             // operator positions do not execute directives (spec 01 section 4)
+  bool in_further_layer = false;    // nor do items of blocks
   std::shared_ptr<const TokenFile> main_file;
   std::vector<Frame> frames;
   std::vector<Condition> conditions;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "parser/language/impl.h"
 #include "parser/language/blocks.h"
@@ -228,6 +229,15 @@ Parser::Depth::Depth(Parser& p) : parser(p) {
   }
 }
 Parser::Depth::~Depth() { --parser.impl_->depth; }
+
+Parser::FurtherLayer::FurtherLayer(Parser& p)
+    : parser(p),
+      items_before(std::exchange(p.impl_->in_further_layer, true)),
+      operators_before(std::exchange(p.impl_->blocked, true)) {}
+Parser::FurtherLayer::~FurtherLayer() {
+  parser.impl_->in_further_layer = items_before;
+  parser.impl_->blocked = operators_before;
+}
 
 void Parser::run(const fs::path& main_file) {
   Impl& impl = *impl_;

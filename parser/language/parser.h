@@ -124,6 +124,14 @@ class Parser {
     Parser& parser;
   };
 
+  // While it lives, directives and macros are not executed where an item of a block may stand (spec 01 section 4, B6).
+  struct FurtherLayer {
+    explicit FurtherLayer(Parser& p);
+    ~FurtherLayer();
+    Parser& parser;
+    const bool items_before, operators_before;
+  };
+
   void run(const std::filesystem::path& main_file);
   void run_text(std::string_view text, const std::string& name);
 

@@ -93,7 +93,7 @@ bool Parser::Impl::recover(ParseError& failure) {
   conditions.resize(recovery.conditions);
   if (file != recovery.file) return false;
   depth = depth_of_parentheses = 0;
-  blocked = false;
+  blocked = in_further_layer = false;
   arguments.clear();
   pending = {};
   go_to(recovery.file, recovery.token);

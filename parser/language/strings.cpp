@@ -185,7 +185,7 @@ std::u16string Parser::Impl::string(bool path) {
 
 // ---- The public face ----
 
-bool Parser::at_string() { return impl_->at_string(); }
+bool Parser::at_string() { return !impl_->stopped() && impl_->at_string(); }
 std::u16string Parser::parse_string() {
   impl_->value_read = impl_->next();
   return impl_->string(false);

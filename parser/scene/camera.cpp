@@ -33,10 +33,11 @@ void apply_look_at(Parser& parser, Camera& camera, const Vec3& target) {
   const Vec3 d = normalize(towards);
   Vec3 r = cross(camera.sky, d);
   if (std::fabs(r.x) < kEpsilon && std::fabs(r.y) < kEpsilon && std::fabs(r.z) < kEpsilon) {
-    parser.warning(
-        Code::adjusted_value,
-        "Camera location to look_at direction and sky direction should be different. Using default/supplied right "
-        "vector instead.");
+    if (parser.version() >= 350)
+      parser.warning(
+          Code::adjusted_value,
+          "Camera location to look_at direction and sky direction should be different. Using default/supplied right "
+          "vector instead.");
     r = camera.right;
   }
   r = normalize(r);
@@ -72,6 +73,7 @@ class CameraReader {
     while (parse_item() || (immediate && parse_type())) {
     }
     if (!immediate) apply();
+    if (camera.focal_distance == 0) camera.focal_distance = 1;
     check_perpendicular();
   }
 
@@ -300,7 +302,6 @@ class CameraReader {
       camera.focal_distance = length(focal_point - camera.location);
     else
       camera.focal_distance = angle_given || look_at_given ? direction_length : 1;
-    if (camera.focal_distance == 0) camera.focal_distance = 1;
     if (transform) apply_transform(camera, *transform);
   }
 

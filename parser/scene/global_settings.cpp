@@ -84,10 +84,7 @@ void parse_max_trace_level(Parser& parser) {
   parser.next();
   int& level = parser.scene().settings.max_trace_level;
   level = parser.parse_int();
-  if (level < 1) {
-    parser.warning(Code::adjusted_value, "Illegal value: max_trace_level must be positive. Changed to 1.");
-    level = 1;
-  }
+  level = std::max(level, 1);
   if (level > 256) {
     parser.warning(Code::adjusted_value, "Maximum max_trace_level is 256 but a higher value was specified.");
     level = 256;

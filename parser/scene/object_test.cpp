@@ -1,6 +1,7 @@
 // Objects: what their statements put into the description (spec 03, 04).
 #include "parser/scene/test_support.h"
 #include "tracer/image/image.h"
+#include "tracer/scene/bounds.h"
 
 namespace verisim::parser {
 namespace {
@@ -280,6 +281,62 @@ TEST(Modifiers, OnePatchDeniesASolidItsInside) {
   EXPECT_EQ(asked("union{sphere{0,1} union{triangle{0,x,y} box{0,1}}}"),
             "inside() needs an object that has an inside.");
   EXPECT_EQ(asked("union{sphere{0,1} light_source{0,1}}"), "inside() needs an object that has an inside.");
+}
+
+// A light source is what it shows, and whatever it shines through makes it pass.
+TEST(Modifiers, LightSourcesThatShowSolidsHaveAnInside) {
+  const auto messages = [](const std::string& light) {
+    return parse("#declare O=intersection{sphere{0,1} light_source{0,1 " + light + "}} #declare V=inside(O,0);")
+        .messages;
+  };
+  const std::string solid = "{sphere{0,1}}", patch = "{triangle{0,x,y}}", refusal = "Patch objects not allowed";
+  for (const std::string& light : {"looks_like" + solid, "projected_through" + solid, "projected_through" + patch,
+                                   "looks_like" + patch + " projected_through" + solid})
+    EXPECT_EQ(messages(light).find(refusal), std::string::npos) << light;
+  for (const std::string& light : {std::string(), "looks_like" + patch})
+    EXPECT_NE(messages(light).find(refusal), std::string::npos) << light;
+  EXPECT_EQ(first_error("#declare O=light_source{0,1 looks_like{sphere{0,1}}} #declare V=inside(O,0);"), "");
+  EXPECT_EQ(first_error("#declare O=union{sphere{0,1} light_source{0,1 looks_like{sphere{0,1}}}} "
+                        "#declare V=inside(O,0);"),
+            "");
+}
+
+TEST(Modifiers, BoundsCutDownBoxesOfCopiesOfBlobsAndHeightFields) {
+  const std::string bound = " bounded_by{box{-1,1}}}";
+  for (const std::string& shape :
+       {std::string("blob{sphere{0,2,2}"), std::string("height_field{function 9,9{x} scale 3")}) {
+    EXPECT_EQ(scene::high_corner(object_of(shape + bound)->bounds).x, shape.starts_with("blob") ? 2 : 3);
+    EXPECT_EQ(scene::high_corner(object_of("#declare A=" + shape + bound + " object{A}")->bounds).x, 1);
+  }
+  EXPECT_EQ(scene::high_corner(object_of("sphere{0,2" + bound)->bounds).x, 1);
+}
+
+// The object that a light shows takes what the CSG object around it has, and is cut out of a solid.
+TEST(Modifiers, LightSourcesWithinSolids) {
+  const auto shown = [](const std::string& scene, std::size_t child) {
+    return scene::children_of(*object_of(scene))[child]->as<scene::LightSource>()->looks_like;
+  };
+  const std::string light = "light_source{0,1 looks_like{sphere{0,1}}}";
+  const auto merge = object_of("merge{sphere{1,1} " + light + " pigment{rgb x} no_image}");
+  const auto in_merge = scene::children_of(*merge)[1]->as<scene::LightSource>()->looks_like;
+  EXPECT_EQ(in_merge->texture, merge->texture);
+  EXPECT_TRUE(in_merge->no_image);
+  const auto own =
+      shown("merge{sphere{1,1} light_source{0,1 looks_like{sphere{0,1} pigment{rgb y}}} pigment{rgb x}}", 1);
+  EXPECT_EQ(own->texture->layers[0].pigment->color, Color(0, 1, 0));
+  const auto nested = object_of("merge{sphere{1,1} union{" + light + "} pigment{rgb x}}");
+  EXPECT_NE(scene::children_of(*scene::children_of(*nested)[1])[0]->as<scene::LightSource>()->looks_like->texture,
+            nested->texture);
+  EXPECT_TRUE(shown("difference{sphere{0,2} " + light + "}", 1)->inverted);
+  EXPECT_FALSE(shown("difference{" + light + " sphere{0,2}}", 0)->inverted);
+}
+
+// Everything is inside of an intersection without parts, and yet it keeps no fog out: it has no interior.
+TEST(Modifiers, SolidsWithoutPartsHaveNoInterior) {
+  EXPECT_EQ(object_of("intersection{}")->interior, nullptr);
+  EXPECT_EQ(object_of("intersection{light_source{0,1}}")->interior, nullptr);
+  EXPECT_NE(object_of("intersection{interior{}}")->interior, nullptr);
+  EXPECT_NE(object_of("intersection{intersection{}}")->interior, nullptr);
 }
 
 TEST(Modifiers, OneObjectIsFewForASolidSinceVersion16) {

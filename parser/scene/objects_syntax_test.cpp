@@ -270,6 +270,25 @@ face_indices{1,<0,1,2>,5}})",
     R"(parametric{function{u},function{v},function{0}, <0,0>,<1,1>, contained_by{box{-2,2}}})",
 };
 
+// In all but the first texture of a declared one, directives and macros are not executed where an item may stand, but
+// they are where a value has to.
+TEST(ObjectSyntax, DirectivesInLayersOfADeclaredTexture) {
+  const std::string first = "#macro M() pigment{rgb 1} #end #declare T=texture{#declare A=1; finish{ambient A}}\n";
+  for (const char* layer : {"texture{pigment{rgb 1}} #declare B=1;", "texture{pigment{rgb #declare B=1; B}}",
+                            "texture{pigment{rgb <1,#declare B=1; B,1>} scale #declare C=2; C}",
+                            "texture{pigment{gradient y color_map{[#declare B=0; B rgb 1]}}}",
+                            "texture{finish{ambient 1+#declare B=1; B}}"})
+    EXPECT_EQ(testing::first_error(first + layer), "") << layer;
+  for (const char* layer :
+       {"texture{#declare B=1; pigment{rgb 1}}", "texture{#if(1) pigment{rgb 1} #end}", "texture{#debug \"x\"}",
+        "texture{M()}", "texture{pigment{#declare B=1; rgb B}}", "texture{pigment{rgb 1 #declare B=1;}}",
+        "texture{finish{#declare B=1; ambient B}}", "texture{finish{}} texture{pigment{rgb 1} #undef A}",
+        "texture{pigment{gradient y color_map{[0 rgb 1 #declare B=1;]}}}"})
+    EXPECT_NE(testing::first_error(first + layer), "") << layer;
+  EXPECT_EQ(testing::first_error("sphere{0,1 texture{} texture{#declare B=1; pigment{rgb B}}}"), "");
+  EXPECT_EQ(testing::first_error("#declare F=material{texture{} texture{#declare B=1; pigment{rgb B}}}"), "");
+}
+
 TEST(ObjectSyntax, AcceptsWhatPovRayAccepts) {
   for (const char* text : kAcceptedObjects) EXPECT_EQ(testing::first_error(text), "") << text;
 }

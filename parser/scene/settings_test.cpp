@@ -58,6 +58,7 @@ TEST(Cameras, BeforeVersion35ItemsActAsWritten) {
 TEST(Cameras, FocalDistance) {
   EXPECT_EQ(camera_of("direction 3*z").focal_distance, 1);  // neither angle nor look_at
   EXPECT_EQ(camera_of("location -2*z focal_point <0,0,3>").focal_distance, 5);
+  EXPECT_EQ(scene_of("#version 3.1; camera{focal_point 0 location 5*z}").camera.focal_distance, 1);
   const scene::Camera samples = camera_of("blur_samples 10,30 aperture .5 focal_point z");
   EXPECT_EQ(samples.blur_samples_min, 10);
   EXPECT_EQ(samples.blur_samples, 30);

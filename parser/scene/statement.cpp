@@ -8,6 +8,7 @@
 #include "parser/scene/textures/maps.h"
 #include "parser/scene/textures/pattern.h"
 #include "parser/scene/textures/texture.h"
+#include "tracer/scene/bounds.h"
 #include "tracer/scene/parts.h"
 
 namespace verisim::parser {
@@ -78,9 +79,7 @@ class ObjectCheck {
   }
 
   void bounds(const scene::Object& o) {
-    if (o.as<scene::Poly>() || o.as<scene::LightGroup>()) return;
-    if (!o.as<scene::Csg>() && !is_text(o))
-      return parser.warning(Code::no_effect, "Unnecessary bounding object removed.");
+    if (scene::bounds_are_removed(o)) return parser.warning(Code::no_effect, "Unnecessary bounding object removed.");
     // The parts of a union are bounded one by one.
     if (!splittable(o)) return;
     for (const scene::ObjectPtr& child : scene::children_of(o))
@@ -159,13 +158,11 @@ bool parse_statement(Parser& parser) {
 
 namespace {
 
-// Further texture{} blocks are layers of the same value; here a directive or macro ends the list (spec 01 section 4,
-// B6).
+// Further texture{} blocks are layers of the same value; a directive or macro ends the list (spec 01 section 4, B6).
 Value parse_layered_texture(Parser& parser) {
-  scene::TexturePtr texture;
-  do {
-    add_layers(parser, texture, parse_texture(parser));
-  } while (parser.peek_blocked().kind == TokenKind::word && parser.peek_blocked().word == Word::texture);
+  scene::TexturePtr texture = parse_texture(parser);
+  const Parser::FurtherLayer further(parser);
+  while (parser.at(Word::texture)) add_layers(parser, texture, parse_texture(parser));
   return texture;
 }
 

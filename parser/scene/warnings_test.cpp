@@ -1,6 +1,7 @@
 // Warnings that POV-Ray gives about statements it accepts; the texts are ours where they say the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,29 @@ TEST(Warnings, UselessBounds) {
   EXPECT_EQ(of_statement("union { sphere { 0, 1 " + bound + "} box { 0, 1 } " + bound + "}"),
             Texts{"CSG union unnecessarily bounded."});
   EXPECT_EQ(of_statement("union { sphere { 0, 1 " + bound + "} plane { y, 0 } " + bound + "}"), Texts{});
+}
+
+// Bounds of what has no automatic box are of use: mixed terms, and cones and hyperboloids of one sheet without clips.
+TEST(Warnings, BoundsOfQuadrics) {
+  const auto quadric = [](const std::string& terms, const std::string& modifiers) {
+    return "quadric { " + terms + " bounded_by { sphere { 0, 3 } } " + modifiers + "}";
+  };
+  const Texts useless{"Unnecessary bounding object removed."};
+  const std::string hyperboloid = "<1,-1,1>,<0,0,0>,<0,0,0>,-1", cone = "<1,1,-1>,<0,0,0>,<0,0,0>,0",
+                    mixed = "<1,2,1>,<1,2,0>,<0,0,0>,-1", cylinder = "<1,0,1>,<0,0,0>,<0,0,0>,-1",
+                    clip = "clipped_by { plane { y, 1 } }";
+  for (const std::string& kept : {hyperboloid, cone, mixed}) {
+    EXPECT_EQ(of_statement(quadric(kept, "")), Texts{}) << kept;
+    EXPECT_EQ(of_statement(quadric(kept, "rotate 30")), Texts{}) << kept;
+    EXPECT_EQ(of_statement(quadric(kept, "rotate 30 " + clip)), Texts{}) << kept;
+  }
+  for (const std::string& removed : {cylinder, std::string("<1,1,-1>,<0,0,0>,<0,0,0>,1"),
+                                     std::string("<0,0,0>,<0,0,0>,<0,1,0>,0"), std::string("<1,1,1>,0,0,-1")})
+    EXPECT_EQ(of_statement(quadric(removed, "")), useless) << removed;
+  EXPECT_EQ(of_statement(quadric(cylinder, "rotate 30")), useless);
+  EXPECT_EQ(of_statement(quadric(hyperboloid, clip)), useless);
+  EXPECT_EQ(of_statement(quadric(hyperboloid, clip + " rotate 30")), useless);
+  EXPECT_EQ(of_statement(quadric(mixed, clip)), Texts{});
 }
 
 // A text is a union of letters.
@@ -111,6 +135,21 @@ TEST(Warnings, OldFormsInOldScenes) {
   for (const std::string& scene : {fog, crand, copy}) EXPECT_EQ(of_version("1.5", scene), Texts{}) << scene;
   EXPECT_EQ(of_version("2.0", fog), Texts{"Should use keyword 'distance' in a fog statement."});
   EXPECT_EQ(of_version("2.0", crand), Texts{"Should use crand keyword in finish statement."});
+}
+
+TEST(Warnings, CameraThatLooksAlongItsSky) {
+  const auto warned = [](const std::string& version) {
+    const Texts found =
+        warnings("#version " + version + "; camera { location -6*y look_at 0 } sphere { 0, 1 pigment { rgb 1 } }");
+    return std::ranges::any_of(found, [](const std::string& text) { return text.starts_with("Camera location"); });
+  };
+  EXPECT_FALSE(warned("3.1"));
+  EXPECT_TRUE(warned("3.5"));
+}
+
+TEST(Warnings, TraceLevelsBelowOneAreTakenForOne) {
+  EXPECT_EQ(of_statement("global_settings { max_trace_level 0 }"), Texts{});
+  EXPECT_EQ(of_statement("global_settings { max_trace_level 300 }").size(), 1u);
 }
 
 TEST(Warnings, OpenPrisms) {

@@ -43,6 +43,13 @@ void BoxRange::clip(const Bounds& b) {
   for (int i = 0; i < 3; ++i) low[i] = std::max(low[i], l[i]), high[i] = std::min(high[i], h[i]);
 }
 
+bool bounds_are_removed(const Object& object) {
+  if (object.bounded_by.empty() || object.as<Csg>() || object.as<Poly>() || object.as<LightGroup>() ||
+      object.as<std::shared_ptr<const Text>>())
+    return false;
+  return object.automatic_box;
+}
+
 void clip_by_plane(const Object& object, BoxRange& range) {
   const Plane& plane = *object.as<Plane>();
   Vec3 n = plane.normal;

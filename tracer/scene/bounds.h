@@ -30,6 +30,9 @@ struct BoxRange {
 };
 // Narrows a range by an axis-parallel plane (with POV-Ray's error for scaled matrices).
 void clip_by_plane(const Object& plane, BoxRange& range);
+// POV-Ray says "Unnecessary bounding object removed." of this one at frame level (spec 03 6.2).
+bool bounds_are_removed(const Object& object);
+
 // The automatic box of a quadric within `range` and its own clips, if smaller than the present one (spec 03 4.11).
 void fit_quadric(Object& object, BoxRange range);
 

@@ -15,6 +15,11 @@ namespace verisim::scene {
 namespace {
 
 bool has_children(const Object& object) { return object.as<Csg>() || object.as<LightGroup>(); }
+bool is_empty_csg(const Object& object) {
+  return object.as<Csg>() && std::ranges::all_of(declared_children(object), [](const ObjectPtr& part) {
+           return part->as<LightSource>() != nullptr;
+         });
+}
 
 // Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before
 // it is changed.
@@ -119,18 +124,22 @@ class Walk {
   }
 
   void itself(Object& o, bool keeps_untextured) {
+    auto* const light = o.as<LightSource>();
+    if (light && light->looks_like) inherit(o, writable(light->looks_like));
     if (!o.texture && !keeps_untextured && (!has_children(o) || !has_texture_anywhere(o))) o.texture = default_texture;
     // Objects written apart have interiors of their own, even copies of one declared object (spec 06 6.1).
     if (o.interior) {
       if (!interior_is_inherited) o.interior = std::make_shared<Interior>(*o.interior);
-    } else {
+    } else if (!is_empty_csg(o)) {  // which keeps no fog out, though everything is inside of such an intersection
       o.interior = std::make_shared<Interior>();
     }
-    o.interior->hollow = o.is_hollow();
-    if (!o.interior->ior_given) o.interior->dispersion = 1;
+    if (o.interior) {
+      o.interior->hollow = o.is_hollow();
+      if (!o.interior->ior_given) o.interior->dispersion = 1;
+    }
     apply_legacy_finish(o);
     if (o.uv_transform) forget_uv(o);
-    if (auto* light = o.as<LightSource>()) attached_objects(*light);
+    if (light) attached_objects(*light);
   }
 
   void children(Object& parent) {
@@ -168,7 +177,7 @@ class Walk {
   }
 
   void inherit(const Object& parent, Object& child) {
-    if (is_light(child)) return;
+    if (is_empty_csg(child)) return;
     if (!child.texture && parent.texture) {
       child.texture = parent.texture;
       child.uv_mapping = child.uv_mapping || parent.uv_mapping;

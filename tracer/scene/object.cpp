@@ -404,6 +404,7 @@ void invert(Object& object) {
     plane->distance = -plane->distance;
     return;
   }
+  if (auto* light = object.as<LightSource>(); light && light->looks_like) invert(writable(light->looks_like));
   if (object.as<LightSource>() || object.as<LightGroup>() || object.as<Polygon>() || is_patch(object)) return;
   if (auto* quadric = object.as<Quadric>()) {
     quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
@@ -413,6 +414,9 @@ void invert(Object& object) {
 }
 
 void finish_modifiers(Object& object) {
+  // The boxes of blobs and height fields are made after their modifiers (measured): those of copies are cut down.
+  if (!object.copied && (object.as<std::shared_ptr<const Blob>>() || object.as<std::shared_ptr<const HeightField>>()))
+    return;
   refit_clipped_quadric(object);
   shrink_to(object, object.bounded_by);
   shrink_to(object, object.clipped_by);

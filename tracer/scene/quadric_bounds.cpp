@@ -10,6 +10,16 @@ namespace {
 double clean(double v) { return std::fabs(v) < kEpsilon ? 0.0 : v; }
 Vec3 clean(const Vec3& v) { return {clean(v.x), clean(v.y), clean(v.z)}; }
 
+// The axis of a cone or a hyperboloid of one sheet; -1: it is neither.
+int hyperboloid_axis(const Vec3& sq, double j) {
+  int odd = -1;
+  if (sq.x > 0 && sq.y < 0 && sq.z < 0) odd = 0;
+  if (sq.x > 0 && sq.y < 0 && sq.z > 0) odd = 1;
+  if (sq.x > 0 && sq.y > 0 && sq.z < 0) odd = 2;
+  const bool cone = j == 0, one_sheet = odd == 0 ? j > 0 : j < 0;
+  return cone || one_sheet ? odd : -1;
+}
+
 // The box of a quadric without mixed terms whose centre (or vertex) was moved to the origin, within `range`. False:
 // unknown form.
 bool fit_centered(Vec3 sq, Vec3 lin, double j, const BoxRange& range, Vec3& low, Vec3& high) {
@@ -30,19 +40,14 @@ bool fit_centered(Vec3 sq, Vec3 lin, double j, const BoxRange& range, Vec3& low,
     return true;
   }
   if (zeros == 0) {
-    int odd = -1;  // the axis of a cone or hyperboloid
-    if (sq.x > 0 && sq.y < 0 && sq.z < 0) odd = 0;
-    if (sq.x > 0 && sq.y < 0 && sq.z > 0) odd = 1;
-    if (sq.x > 0 && sq.y > 0 && sq.z < 0) odd = 2;
+    const int odd = hyperboloid_axis(sq, j);
     if (odd < 0) return false;
-    const bool cone = j == 0, one_sheet = odd == 0 ? j > 0 : j < 0;
-    if (!cone && !one_sheet) return false;
     for (int k = 0; k < 3; ++k) {
       if (k == odd) continue;
       double half = 0;
       for (const double q : {range.low[odd], range.high[odd]}) {
         // POV-Ray takes 1 where |j| belongs.
-        const double square = ((cone ? 0.0 : 1.0) + std::fabs(sq[odd]) * q * q) / std::fabs(sq[k]);
+        const double square = ((j == 0 ? 0.0 : 1.0) + std::fabs(sq[odd]) * q * q) / std::fabs(sq[k]);
         half = std::max(half, std::sqrt(square));
       }
       set(k, half);
@@ -71,7 +76,9 @@ bool fit_centered(Vec3 sq, Vec3 lin, double j, const BoxRange& range, Vec3& low,
 
 void fit_quadric(Object& object, BoxRange range) {
   const Quadric& q = *object.as<Quadric>();
+  bool limited = false;
   for (const ObjectPtr& clip : object.clipped_by) {
+    limited = limited || !is_complement(*clip);
     if (clip->as<Plane>())
       clip_by_plane(*clip, range);
     else if (!is_complement(*clip))
@@ -82,7 +89,9 @@ void fit_quadric(Object& object, BoxRange range) {
   double j = clean(q.constant);
 
   Vec3 low = range.low, high = range.high;
-  if (mixed == Vec3(0)) {
+  if (mixed != Vec3(0)) {
+    if (object.clips_in_bounds == 0) object.automatic_box = false;  // as defined; rotation alone does not take it away
+  } else {
     Vec3 shift(0);
     const double constant = j;
     for (int k = 0; k < 3; ++k) {
@@ -97,6 +106,7 @@ void fit_quadric(Object& object, BoxRange range) {
     }
     j = clean(j);
     if (sq.x < 0) sq = -sq, lin = -lin, j = -j;
+    object.automatic_box = limited || hyperboloid_axis(sq, j) < 0;
     BoxRange moved{range.low - shift, range.high - shift};
     if (!fit_centered(sq, lin, j, moved, low, high)) return;
     for (int k = 0; k < 3; ++k)

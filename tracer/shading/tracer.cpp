@@ -46,7 +46,7 @@ RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   RayState state;
   state.ray = ray;
   state.interiors = {0, static_cast<std::uint32_t>(camera_interiors_)};
-  state.hollow = all_hollow(state.interiors);
+  state.hollow = lens_is_hollow_ && all_hollow(state.interiors);
   state.level_limit = scene_.max_trace_level;
   state.direct_light = state.volumes = !pretrace_;
   coherent_.set_viewpoint(ray.origin);

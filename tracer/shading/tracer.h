@@ -93,6 +93,9 @@ class Tracer {
 
   // The state of such a ray, before it is traced.
   RayState camera_state(const Ray& ray, bool origin_varies);
+  // Of the rays through a lens for one place: once one of them starts in something that is not hollow, so do all that
+  // follow (spec 02 2.1).
+  bool& lens_is_hollow() { return lens_is_hollow_; }
 
   // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets
   // the unit direction towards it.
@@ -283,7 +286,7 @@ class Tracer {
   bool lights_in_batches_, area_lights_ = false;
   std::vector<const scene::Interior*> interiors_;
   std::size_t camera_interiors_ = 0;
-  bool camera_interiors_known_ = false;
+  bool camera_interiors_known_ = false, lens_is_hollow_ = true;
   std::vector<ShadedLayer> layers_;
   std::vector<CachedLight> light_cache_;
   std::vector<textures::WeightedTexture> weighted_, selection_;

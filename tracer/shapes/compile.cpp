@@ -1,6 +1,7 @@
 // From a description to a shape: one entry per kind of object.
 #include <stdexcept>
 
+#include "tracer/scene/bounds.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/shape.h"
 
@@ -19,19 +20,10 @@ std::unique_ptr<Shape> dispatch(const scene::Object& object) {
   return std::visit(Factory{object}, object.shape);
 }
 
-// POV-Ray says "Unnecessary bounding object removed." for these at frame level (spec 03 6.2).
-bool bounds_are_removed(const scene::Object& object) {
-  if (object.bounded_by.empty() || object.as<scene::Csg>() || object.as<scene::Poly>() ||
-      object.as<scene::LightGroup>())
-    return false;
-  if (object.as<std::shared_ptr<const scene::Text>>()) return false;
-  return !(object.as<scene::Quadric>() && scene::is_infinite(object));
-}
-
 }  // namespace
 
 std::unique_ptr<Shape> compile(const scene::Object& object, const CompileOptions& options) {
-  if (!options.remove_bounds || !bounds_are_removed(object)) return dispatch(object);
+  if (!options.remove_bounds || !scene::bounds_are_removed(object)) return dispatch(object);
   scene::Object unbounded = object;
   unbounded.bounded_by.clear();
   std::unique_ptr<Shape> shape = dispatch(unbounded);

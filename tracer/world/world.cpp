@@ -9,6 +9,7 @@
 #include "tracer/bvh/shaft.h"
 #include "tracer/world/world_impl.h"
 #include "tracer/scene/bounds.h"
+#include "tracer/shapes/csg/csg.h"
 #include "tracer/textures/evaluation/pigment.h"
 
 namespace verisim::accel {
@@ -238,7 +239,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
       w.add_beside_tree(i, w.entries[i]);
   }
   w.find_enclosures();
-  w.tree = Bvh(boxes);
+  w.tree = Bvh(boxes), w.deep_tree = Bvh(w.deep_boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
   if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMax) w.few = shapes::BoxSet(boxes);
 }
@@ -278,7 +279,12 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
 
 Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
-  return e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
+  const Box3 kept = e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
+  const shapes::SolidExtent solid = e.shape->solid_extent();
+  const Box3 inside = solid.outside ? e.box : shapes::common(e.box, solid.box);
+  if (!is_empty(inside) && !(contains(kept, inside.min) && contains(kept, inside.max)))
+    deep.push_back(index), deep_boxes.push_back(inside);
+  return kept;
 }
 
 void World::Impl::find_enclosures() {
@@ -415,7 +421,12 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
     around.push_back(w.bounded[i].entry);
     return false;
   });
+  w.deep_tree.any_around(p, [&](std::uint32_t i) {
+    around.push_back(w.deep[i]);
+    return false;
+  });
   std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
   for (const std::uint32_t index : around) {
     const Entry& e = w.entries[index];
     if (e.object->interior && contains(e.box, p) && e.shape->inside_unclipped(p))

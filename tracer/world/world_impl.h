@@ -127,6 +127,10 @@ struct World::Impl {
   bool only_enclosures = false;    // whatever is not opaque has one
   std::vector<Candidate> bounded;  // of each box of the tree
   Bvh tree;
+  // Entries of the tree that hold more than lies in their surface's box: all on one side of a disc is inside.
+  std::vector<std::uint32_t> deep;
+  std::vector<Box3> deep_boxes;
+  Bvh deep_tree;
   shapes::BoxSet few;  // its boxes, if they are so few that a single ray finds them sooner without it
   std::deque<Surface> surfaces;
   std::deque<std::vector<const scene::LightSource*>> group_lights;

@@ -367,6 +367,27 @@ TEST(World, InteriorsAroundAPointInOrderOfDeclaration) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(interiors[i], objects[8 + i]->interior.get());
 }
 
+// Below the disc all is inside, as far as the object's box reaches.
+TEST(World, InsideReachesBeyondTheSurface) {
+  const auto tilted =
+      textured(make_merge({make(scene::Disc{Vec3(0), y, 1}), make(scene::Sphere{{3, 0, 0}, 0.5})}, [](Object& o) {
+        scene::rotate(o, {30, 0, 40});
+      }));
+  const Stage stage({tilted, sphere({9, 9, 9}, 1), sphere({-9, 9, 9}, 1), sphere({9, 9, -9}, 1)});
+  std::vector<const scene::Interior*> interiors;
+  const Vec3 low = scene::low_corner(tilted->bounds), high = scene::high_corner(tilted->bounds);
+  int found = 0;
+  for (const double s : {0.01, 0.99})
+    for (const double t : {0.01, 0.99})
+      for (const double u : {0.01, 0.99}) {
+        const Vec3 p{low.x + s * (high.x - low.x), low.y + t * (high.y - low.y), low.z + u * (high.z - low.z)};
+        stage.world->interiors_at(p, interiors);
+        EXPECT_EQ(interiors.size(), shapes::compile(*tilted)->inside(p) ? 1u : 0u);
+        found += static_cast<int>(interiors.size());
+      }
+  EXPECT_GT(found, 0);
+}
+
 TEST(World, LightsOfGroupsAreNotGlobal) {
   const auto light = [](double at) {
     scene::LightSource source;

@@ -4,17 +4,34 @@
 #include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
+namespace {
 
-std::optional<Color> PixelSampler::lens_ray(const Vec2& place, int number) {
+// While it lives, camera rays are as hollow as those before them were.
+class LensIsHollow {
+ public:
+  LensIsHollow(shading::Tracer& tracer, bool so_far) : lens_(tracer.lens_is_hollow()) { lens_ = so_far; }
+  ~LensIsHollow() { lens_ = true; }
+  LensIsHollow(const LensIsHollow&) = delete;
+  LensIsHollow& operator=(const LensIsHollow&) = delete;
+
+ private:
+  bool& lens_;
+};
+
+}  // namespace
+
+std::optional<Color> PixelSampler::lens_ray(const Vec2& place, int number, bool& hollow) {
   const std::optional<PrimaryRay> primary = camera_.blur->ray(camera_.rays, place.x, place.y, number);
   if (!primary) return std::nullopt;
   tracer_.random().begin_sample(place.x, place.y, static_cast<std::uint32_t>(number));
+  const LensIsHollow scope(tracer_, hollow);
+  hollow = tracer_.camera_state(primary->ray, camera_.origin_varies).hollow;
   return trace(primary->ray, primary->image);
 }
 
 Color PixelSampler::lens_sample(const Vec2& place) {
   FocalBlur::Average average(*camera_.blur);
-  while (!average.complete()) average.add(lens_ray(place, average.known()));
+  for (bool hollow = true; !average.complete();) average.add(lens_ray(place, average.known(), hollow));
   return average.mean();
 }
 
@@ -24,6 +41,7 @@ void PixelSampler::lens_points(int count, Color* colors) {
   Lens& lens = lens_;
   std::copy_n(wavefront_.places(), count, lens.places);
   lens.averages.assign(static_cast<std::size_t>(count), FocalBlur::Average(*camera_.blur));
+  std::fill_n(lens.hollow, count, true);
   for (int i = 0, one = 1; i < count; ++i) lens.entries[i] = entry(lens.places[i].x, lens.places[i].y, one);
   for (;;) {
     lens.rays.clear();
@@ -49,12 +67,17 @@ void PixelSampler::lens_wavefront(std::span<const LensRay> rays) {
   const auto count = static_cast<int>(rays.size());
   camera_.blur->rays(camera_.rays, wavefront_.places(), wavefront_.numbers(), count, wavefront_.packet().rays);
   bool together = true;
-  for (int k = 0; k < count && together; ++k) together = starts_like_the_first(k);
+  for (int k = 0; k < count && together; ++k)
+    together = lens_.hollow[rays[static_cast<std::size_t>(k)].sample] && starts_like_the_first(k);
   Color seen[shading::Wavefront::kMax];
+  const bool hollow = together && tracer_.camera_state(wavefront_.packet().rays.at(0), false).hollow;
   if (together) wavefront_.trace(count, entries, seen);
-  for (std::size_t k = 0; k < rays.size(); ++k)
-    lens_.averages[static_cast<std::size_t>(rays[k].sample)].add(
-        together ? std::optional(seen[k]) : lens_ray(lens_.places[rays[k].sample], rays[k].number));
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const auto& [sample, number] = rays[k];
+    if (together) lens_.hollow[sample] = hollow;
+    lens_.averages[static_cast<std::size_t>(sample)].add(
+        together ? std::optional(seen[k]) : lens_ray(lens_.places[sample], number, lens_.hollow[sample]));
+  }
 }
 
 }  // namespace verisim::render

@@ -73,7 +73,7 @@ class PixelSampler {
   struct LensRay {
     int sample, number;
   };
-  std::optional<Color> lens_ray(const Vec2& place, int number);
+  std::optional<Color> lens_ray(const Vec2& place, int number, bool& hollow);
   Color lens_sample(const Vec2& place);
   void lens_points(int count, Color* colors);
   void lens_wavefront(std::span<const LensRay> rays);
@@ -96,6 +96,7 @@ class PixelSampler {
   struct Lens {
     Vec2 places[shading::Wavefront::kMax];
     const accel::WorldEntry* entries[shading::Wavefront::kMax];
+    bool hollow[shading::Wavefront::kMax];  // none of its rays so far started in something that is not
     std::vector<FocalBlur::Average> averages;
     std::vector<LensRay> rays;
   } lens_;

@@ -64,9 +64,9 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
     case scene::PatternKind::wrinkles:
       return n + c.amount * wrinkles_vector_sum(p);
     case scene::PatternKind::ripples:
-      return n + ripples_bump(pattern, c.amount, p);
+      return ripples_bump(pattern, c.amount, p, n);
     case scene::PatternKind::waves:
-      return n + waves_bump(pattern, c.amount, p);
+      return waves_bump(pattern, c.amount, p, n);
     case scene::PatternKind::quilted: {
       const Quilt q = quilt(pattern.as<QuiltedData>(), p);
       return n + c.amount * q.q * q.u;

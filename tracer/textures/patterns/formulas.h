@@ -2,6 +2,7 @@
 // where there is none. Grouped into files by kinship.
 #pragma once
 
+#include <numbers>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,12 @@ namespace verisim::textures {
 
 inline double clamp01(double v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
 // One period of a sine over [0, 1].
+// sin(2 pi v), of the fraction of |v| as POV-Ray scales it: normals show the last bit.
 double sine_cycle(double v);
+inline double sine_angle(double v) {
+  const double size = std::fabs(v);
+  return std::copysign((size - std::floor(size)) * 50000 / 50000 * (2 * std::numbers::pi), v);
+}
 inline double triangle(double v) {
   const double t = v - std::floor(v);
   return t >= 0.5 ? 2 * (1 - t) : 2 * t;
@@ -68,8 +74,8 @@ Vec3 nearest_facet_point(const Vec3& p, double metric);
 
 // water.cpp: ripples and waves
 std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count);
-Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p);
-Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p);
+Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n);
+Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n);
 
 // fractal.cpp
 double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p);

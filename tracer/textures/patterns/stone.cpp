@@ -6,7 +6,7 @@
 
 namespace verisim::textures {
 
-double sine_cycle(double v) { return std::sin(2 * std::numbers::pi * v); }
+double sine_cycle(double v) { return std::sin(sine_angle(v)); }
 
 namespace {
 

@@ -9,7 +9,8 @@ std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count) {
   LinearCongruential generator(3734115329u);
   for (int i = 0; i < std::max(count, 1); ++i) {
     const double frequency = generator.draw() * 0.000030518509476 + 0.01;
-    sources->push_back({normalize(vector_noise(Vec3(i, 0, 0))), frequency});
+    const Vec3 place = vector_noise(Vec3(i, 0, 0));
+    sources->push_back({place / length(place), frequency});  // divided: not as other vectors are normalised
   }
   return sources;
 }
@@ -39,26 +40,24 @@ double formulas::waves(const CompiledPattern& c, const Vec3& p, const SurfacePoi
   return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
 }
 
-Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p) {
+Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n) {
   const auto& sources = *c.as<WaveData>().sources;
-  const double each = amount / static_cast<double>(sources.size());
-  Vec3 sum(0, 0, 0);
+  const auto count = static_cast<double>(sources.size());
   for (const WaveSource& w : sources) {
     const double d = distance_from(w, p);
-    sum += (each * sine_cycle(d * c.frequency + c.phase) / d) * (p - w.position);
+    n += (amount * sine_cycle(d * c.frequency + c.phase) / (d * count)) * (p - w.position);
   }
-  return sum;
+  return n;
 }
 
-Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p) {
+Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n) {
   const auto& sources = *c.as<WaveData>().sources;
-  const double each = amount / static_cast<double>(sources.size());
-  Vec3 sum(0, 0, 0);
+  const auto count = static_cast<double>(sources.size());
   for (const WaveSource& w : sources) {
-    const double d = distance_from(w, p);
-    sum += (each / w.frequency * sine_cycle(d * c.frequency * w.frequency + c.phase) / d) * (p - w.position);
+    const double d = distance_from(w, p), k = w.frequency;
+    n += (amount * sine_cycle(d * c.frequency * k + c.phase) / k / (d * count)) * (p - w.position);
   }
-  return sum;
+  return n;
 }
 
 }  // namespace verisim::textures

@@ -182,6 +182,20 @@ double part_of_right(const Case& c, const Mask& mask) {
   return right > 0 ? static_cast<double>(with) / static_cast<double>(right) : 0;
 }
 
+double part_of_wrong(const Case& c, const Mask& mask) {
+  std::size_t with = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) with += mask[i] && c.wrong[i];
+  return c.wrong_count > 0 ? static_cast<double>(with) / static_cast<double>(c.wrong_count) : 0;
+}
+
+Mask directly_seen(const Case& c, const PixelTags& tags) {
+  constexpr double kLeastPart = 0.2, kLeast = 12;
+  Mask out = c.pixels_with(tags, [](const PixelTags::Tag& tag) { return tag.kind == "secondary object"; });
+  for (unsigned char& v : out) v = !v;
+  const double part = part_of_wrong(c, out);
+  return part < kLeastPart || part * static_cast<double>(c.wrong_count) < kLeast ? Mask(c.size(), 1) : out;
+}
+
 double share_of(const Case& c, const Mask& mask) {
   double sum = 0;
   for (std::size_t i = 0; i < c.size(); ++i) sum += mask[i] ? c.squared[i] : 0;

@@ -82,5 +82,9 @@ inline float squared_distance(const Pixel& a, const Pixel& b) {
 Mask dilated(const Case& c, const Mask& mask, int radius);
 double share_of(const Case& c, const Mask& mask);       // of the squared difference
 double part_of_right(const Case& c, const Mask& mask);  // how many of the pixels that are not wrong
+double part_of_wrong(const Case& c, const Mask& mask);
+// Pixels that show one surface, or none: what is wrong in a mirror or behind glass may have its cause anywhere. All,
+// where few of the wrong ones are such.
+Mask directly_seen(const Case& c, const PixelTags& tags);
 
 }  // namespace verisim::compare

@@ -259,6 +259,61 @@ TEST(Diagnose, AnObjectOfWhichOnlyTheBoxIsMet) {
   EXPECT_THAT(all[0].detail, HasSubstr("sor (s.pov:7)"));
 }
 
+Picture darker_where(const std::function<bool(int, int)>& wrong) {
+  const Picture original = scene();
+  return picture_of(96, 72, [&](int x, int y, int c) {
+    const double v = 255.0 * original.samples[static_cast<std::size_t>(3 * (y * 96 + x) + c)];
+    return std::round(wrong(x, y) ? 0.7 * v + 7 * c * std::sin(x * y) : v);
+  });
+}
+std::string first_with(const Picture& test, const PixelTags& tags) {
+  const std::vector<Suspicion> all = diagnose(scene(), test, nullptr, &tags);
+  return all.empty() ? "nothing" : all[0].what;
+}
+
+// An object may fill a rectangle, whose border is then its own; a tile cuts through objects.
+TEST(Diagnose, ARectangleCutsThroughObjects) {
+  const PixelTags tags = with_tag("object", "plane (s.pov:2)");
+  EXPECT_NE(first_with(darker_where([](int x, int) { return x >= 10 && x < 40; }), tags), "rectangle");
+  EXPECT_EQ(first_with(darker_where([](int x, int y) { return x >= 14 && x < 34 && y >= 20 && y < 44; }), tags),
+            "rectangle");
+}
+
+// The surface of one object is not to blame where others are wrong, too, though by less.
+TEST(Diagnose, WhatAllWrongPixelsShowComesFirst) {
+  const auto box = [](int x, int y) { return x > 0.7 * 96 && y > 0.3 * 72; };
+  const auto disc = [](int x, int y) { return std::hypot(x / 96.0 - 0.35, y / 72.0 - 0.5) < 0.21; };
+  PixelTags tags = with_tag("copy", "box (s.pov:2)");
+  tags.tags.push_back({"feature", "noise (turbulence)"}), tags.sets = {{0}, {1, 2}, {0, 2}};
+  for (int i = 0; i < 96 * 72; ++i)
+    tags.set_of[static_cast<std::size_t>(i)] = box(i % 96, i / 96) ? 1 : disc(i % 96, i / 96) ? 2 : 0;
+  Picture test = darker_where(box);
+  for (int i = 0; i < 96 * 72; ++i)
+    if (disc(i % 96, i / 96)) test.samples[static_cast<std::size_t>(3 * i)] *= 0.9f;
+  EXPECT_EQ(first_with(test, tags), "noise functions");
+}
+
+// Shadows seen in a mirror have their cause elsewhere: pixels without one tell it.
+TEST(Diagnose, MirrorsDoNotTell) {
+  PixelTags tags = with_tag("light", "in the shadow of the light at <0, 0, 0>");
+  tags.tags.push_back({"secondary object", "box (s.pov:1), in a reflection"}), tags.sets.push_back({0, 2});
+  for (int i = 0; i < 96 * 72; ++i)
+    if (i % 96 >= 50) tags.set_of[static_cast<std::size_t>(i)] = 2;
+  EXPECT_EQ(
+      first_with(darker_where([](int x, int y) { return (x >= 10 && x < 40) || (x >= 50 && (x + y) % 3 != 0); }), tags),
+      "shadows");
+}
+
+TEST(Diagnose, HighlightsAreWhereTheirLightIs) {
+  PixelTags tags = with_tag("shape", "sphere");
+  PixelTags::Part& part = tags.parts.emplace_back();
+  part.kind = "highlights";
+  const auto in_spot = [](int x, int y) { return std::hypot(x - 25, y - 30) < 4; };
+  for (int i = 0; i < 96 * 72; ++i)
+    for (int c = 0; c < 3; ++c) part.light.push_back(in_spot(i % 96, i / 96) ? 0.2f : 0);
+  EXPECT_EQ(first_with(darker_where(in_spot), tags), "highlights");
+}
+
 TEST(Diagnose, AFewPixelsOfOneColorFitNoFormula) {
   const PixelTags tags = with_tag("shape", "sphere");
   Picture test = scene();

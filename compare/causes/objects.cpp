@@ -206,13 +206,18 @@ void changed_outlines(const Case& c, const std::vector<Match>& all, Suspicions& 
   }
 }
 
-// Where an object is what it was and looks otherwise.
+// Where an object is what it was and looks otherwise. Other surfaces that are wrong by less speak
+// against it: twice, for they are not explained and want another cause.
 void surfaces(const Case& c, const SeenObject& object, const Mask& mask, Suspicions& out) {
   constexpr double kLeastShare = 0.5;
   const double share = share_of(c, mask);
   if (share < kLeastShare) return;
-  suspect_tone_of(c, object.name, mask, out);
-  out.push_back(c.placed("object", object.name + ": its surface", mask, weight::kPlace));
+  Suspicions of_it;
+  suspect_tone_of(c, object.name, mask, of_it);
+  of_it.push_back(c.placed("object", object.name + ": its surface", mask, weight::kPlace));
+  const Mask direct = common(c.wrong, directly_seen(c, *c.tags.any()));
+  const double covered = object.secondary ? 1 : part_of_wrong(c, common(direct, mask)) / part_of_wrong(c, direct);
+  for (Suspicion& s : of_it) s.sure *= covered * covered, out.push_back(std::move(s));
 }
 
 // How strongly the mask's border shows in a picture: differences across it.
@@ -239,8 +244,10 @@ void outlines_of_one_side(const Case& c, Suspicions& out) {
         static_cast<double>(object.pixels) > kMaxOfPicture * static_cast<double>(c.size()))
       continue;
     const double was = border(c, object.mask, c.reference), is = border(c, object.mask, c.test);
-    if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, 0.95));
-    if (was < kGone * is) out.push_back(c.placed("object added", object.copy, object.mask, 0.95));
+    // What is wrong around it has to be explained, too: where there is much, the object is rather elsewhere.
+    const double only_there = share_of(c, object.mask) / share_of(c, around);
+    if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, 0.95 * only_there));
+    if (was < kGone * is) out.push_back(c.placed("object added", object.copy, object.mask, 0.95 * only_there));
     double mx = 0, my = 0;
     for (std::size_t i = 0; i < c.size(); ++i)
       if (object.mask[i])

@@ -2,6 +2,7 @@
 // (Max_Image_Buffer_Memory).
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
@@ -42,6 +43,7 @@ class Pixels {
   const Color& operator[](std::size_t i) const { return data()[i]; }
   const Color* begin() const { return data(); }
   const Color* end() const { return data() + size(); }
+  friend bool operator==(const Pixels& a, const Pixels& b) { return std::ranges::equal(a, b); }
 
  private:
   struct Unmap {

@@ -63,9 +63,9 @@ const char* suspect_of(const PixelTags::Tag& tag) {
 }
 
 // Suspects by where they are seen.
-class Seen {
+class Sightings {
  public:
-  Seen(const Case& c, Suspicions& out) : c_(c), out_(out), direct_(directly_seen(c, *c.tags.any())) {}
+  Sightings(const Case& c, Suspicions& out) : c_(c), out_(out), direct_(directly_seen(c, *c.tags.any())) {}
 
   // `in_mirrors`: what is seen in mirrors and through glass counts, too.
   void suspect(const char* what, const std::string& detail, const Mask& mask, double weight, bool in_mirrors = false) {
@@ -91,7 +91,7 @@ constexpr const char* kHere = "seen where pixels are wrong";
 void suspect_features(const Case& c, Suspicions& out) {
   if (!c.tags.any()) return;
   const PixelTags& tags = *c.tags.any();
-  Seen seen(c, out);
+  Sightings seen(c, out);
   for (const PixelTags::Tag& tag : tags.tags) {
     const char* what = suspect_of(tag);
     if (!what) continue;

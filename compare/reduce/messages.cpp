@@ -27,7 +27,7 @@ std::string of_parser(const std::string& console) {
 bool is_summary(const std::string& line) { return line.find(" by ") < 8 && line.find(": parsed in ") < 20; }
 
 // Words in small letters; what is quoted and numbers are not among them.
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> plain_words(const std::string& text) {
   std::vector<std::string> out;
   std::string word;
   bool quoted = false;
@@ -42,7 +42,7 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 std::size_t common_words(const std::string& a, const std::string& b) {
-  const std::vector<std::string> left = words_of(a), right = words_of(b);
+  const std::vector<std::string> left = plain_words(a), right = plain_words(b);
   const std::set<std::string> known(left.begin(), left.end());
   return static_cast<std::size_t>(std::ranges::count_if(std::set<std::string>(right.begin(), right.end()),
                                                         [&](const std::string& word) { return known.contains(word); }));
@@ -68,7 +68,7 @@ std::vector<std::string> unmatched(std::vector<std::string> more, const std::vec
 
 }  // namespace
 
-bool same_warning(const std::string& a, const std::string& b) { return words_of(a) == words_of(b); }
+bool same_warning(const std::string& a, const std::string& b) { return plain_words(a) == plain_words(b); }
 
 bool is_of_messages(Kind kind) {
   return kind == Kind::verisim_warns || kind == Kind::povray_warns || kind == Kind::debug_text;

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-class Reduction : public testing::Test {
+class Reducing : public testing::Test {
  protected:
   // `shows`: whether a text without line ends has the difference.
   std::string reduced(const std::string& text, std::function<bool(const std::string&)> shows) {
@@ -51,13 +51,13 @@ std::string spheres(int count) {
   return out;
 }
 
-TEST_F(Reduction, TwoStatementsOfAThousandAreLeft) {
+TEST_F(Reducing, TwoStatementsOfAThousandAreLeft) {
   const std::string text = spheres(500) + "torus { 1, 0 }" + spheres(300) + "cone { 0, 1, 1, 0 }" + spheres(200);
   EXPECT_EQ(reduced(text, holds({"torus", "cone"})), "torus { } cone { }");
   EXPECT_LT(rounds_, 40);
 }
 
-TEST_F(Reduction, BlocksGiveWayToWhatStandsInThem) {
+TEST_F(Reducing, BlocksGiveWayToWhatStandsInThem) {
   EXPECT_EQ(
       reduced("#if (A) union { object { sphere { 0, 1 } rotate y } box { 0, 1 } scale 2 } #else plane { y, 0 } #end",
               holds({"sphere { 0, 1 }"})),
@@ -65,7 +65,7 @@ TEST_F(Reduction, BlocksGiveWayToWhatStandsInThem) {
   EXPECT_EQ(reduced("#if (A) box { 0, 1 } #else plane { y, 0 } #end", holds({"box"})), "box { }");
 }
 
-TEST_F(Reduction, WhatDependsOnEachOtherStays) {
+TEST_F(Reducing, WhatDependsOnEachOtherStays) {
   const std::string text = "#declare B = 2; #declare A = 1; sphere { A, 1 } box { B, 1 } torus { B, A }";
   const auto declared = [](const std::string& t) {
     const auto is_used = [&](const char* name) { return t.find(std::string("{ ") + name) != std::string::npos; };
@@ -75,7 +75,7 @@ TEST_F(Reduction, WhatDependsOnEachOtherStays) {
   EXPECT_EQ(reduced(text, declared), "#declare B = 2; box { B, 1 }");
 }
 
-TEST_F(Reduction, NamesGiveWayToWhatTheyMean) {
+TEST_F(Reducing, NamesGiveWayToWhatTheyMean) {
   const auto shows = [](const std::string& t) {
     const bool used = t.find("object { S") != std::string::npos, declared = t.find("declare S") != std::string::npos;
     return t.find("torus { 5, 3 }") != std::string::npos && t.find("object {") != std::string::npos && used == declared;
@@ -83,18 +83,18 @@ TEST_F(Reduction, NamesGiveWayToWhatTheyMean) {
   EXPECT_EQ(reduced("#declare S = torus { 5, 3 } object { S }", shows), "object { torus { 5, 3 } }");
 }
 
-TEST_F(Reduction, NumbersBecomeRounder) {
+TEST_F(Reducing, NumbersBecomeRounder) {
   EXPECT_EQ(reduced("sphere { <0.333, 12.5, -7>, 0.127 }", holds({"sphere", "0.1"})), "sphere { <0, 0, -7>, 0.1 }");
 }
 
-TEST_F(Reduction, SaysWhenOnlyNumbersAreLeft) {
+TEST_F(Reducing, SaysWhenOnlyNumbersAreLeft) {
   std::vector<std::string> seen;
   options_.before_rounding = [&](const std::string& best) { seen.push_back(plain(best)); };
   reduced("box { 0, 1 } sphere { 0, 0.125 }", holds({"sphere", "0.1"}));
   EXPECT_EQ(seen, std::vector<std::string>{"sphere { 0, 0.125 }"});
 }
 
-TEST_F(Reduction, LoopsRunOnce) {
+TEST_F(Reducing, LoopsRunOnce) {
   EXPECT_THAT(reduced("#for (I, 1, 10, 2) torus { I, 1 } #end", holds({"#for", "torus"})), HasSubstr("#for (I, 1, 1)"));
   EXPECT_THAT(reduced("#while (A < 3) torus { A, 1 } #end",
                       [](const std::string& t) {
@@ -103,7 +103,7 @@ TEST_F(Reduction, LoopsRunOnce) {
               HasSubstr("#if"));
 }
 
-TEST_F(Reduction, IncludeFilesOfTheSceneAreRead) {
+TEST_F(Reducing, IncludeFilesOfTheSceneAreRead) {
   options_.include = [](const std::string& name) {
     return name == "mine.inc" ? std::optional<std::string>(spheres(50) + "torus { 1, 0 }") : std::nullopt;
   };
@@ -116,22 +116,22 @@ TEST_F(Reduction, IncludeFilesOfTheSceneAreRead) {
   EXPECT_THAT(out, Not(HasSubstr("sphere")));
 }
 
-TEST_F(Reduction, LinesWhereBracketsDoNotMatch) {
+TEST_F(Reducing, LinesWhereBracketsDoNotMatch) {
   EXPECT_EQ(reduced("sphere { 0, 1\nbox { 0, 1 }\n} }\ntorus { 1, 0 }\n", holds({"} }"})), "} }");
 }
 
-TEST_F(Reduction, TheVersionStays) {
+TEST_F(Reducing, TheVersionStays) {
   EXPECT_EQ(reduced("#version 3.7;\n" + spheres(9) + "torus { 1, 0 }", holds({"torus"})), "#version 3.7; torus { }");
 }
 
-TEST_F(Reduction, EndsWithTheBestSoFar) {
+TEST_F(Reducing, EndsWithTheBestSoFar) {
   options_.stop = [this] { return rounds_ > 1; };
   const std::string out = reduced(spheres(400) + "torus { 1, 0 }" + spheres(400), holds({"torus"}));
   EXPECT_LT(out.size(), spheres(400).size());
   EXPECT_GT(out.size(), 200u);
 }
 
-TEST_F(Reduction, NoTextIsTriedTwice) {
+TEST_F(Reducing, NoTextIsTriedTwice) {
   std::vector<std::string> seen;
   options_.judge = [&](const std::vector<std::string>& texts) {
     std::vector<bool> out;

@@ -47,7 +47,7 @@ py::tuple explain_pixel(const Job& job, double x, double y, const py::object& ca
     color = seen;
     render::Framebuffer pixel;
     pixel.width = pixel.height = 1;
-    pixel.pixels = {seen};
+    pixel.pixels.assign(1, seen);
     stored = image::quantise(pixel, output_options(job, scene));
   });
   return py::make_tuple(to_python(tree.json()["rays"]), to_text(tree.lines()),

@@ -29,20 +29,27 @@ class Pixels {
   void assign(std::size_t count, const Color& color);
   // So many, black, in a file in this folder. False, and nothing changes, if there can be none or no room for it.
   bool assign_in_file(std::size_t count, const std::filesystem::path& folder);
-  // To the end of those in memory.
+  // Of those in memory, as of a vector.
   void append(const Color* first, std::size_t count) { memory_.insert(memory_.end(), first, first + count); }
+  void push_back(const Color& color) { memory_.push_back(color); }
+  void resize(std::size_t count) { memory_.resize(count); }
+  void clear() { memory_.clear(), file_.reset(); }
   // So many pixels are done with for the time being: now and then, what lies in the file gives its memory back. From
   // any thread; what others are reading or writing stays as it is.
   void done_with(std::size_t count) const;
 
   bool in_file() const { return file_ != nullptr; }
   std::size_t size() const { return file_ ? file_.get_deleter().count : memory_.size(); }
+  bool empty() const { return size() == 0; }
   Color* data() { return file_ ? file_.get() : memory_.data(); }
   const Color* data() const { return file_ ? file_.get() : memory_.data(); }
   Color& operator[](std::size_t i) { return data()[i]; }
   const Color& operator[](std::size_t i) const { return data()[i]; }
+  Color* begin() { return data(); }
+  Color* end() { return data() + size(); }
   const Color* begin() const { return data(); }
   const Color* end() const { return data() + size(); }
+  operator std::vector<Color>() const { return {begin(), end()}; }
   friend bool operator==(const Pixels& a, const Pixels& b) { return std::ranges::equal(a, b); }
 
  private:

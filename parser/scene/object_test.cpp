@@ -149,15 +149,20 @@ TEST(Meshes, HugeCountsTakeNoMemory) {
 // POV-Ray's heights at <1557, 1957> / 2000: the value is rounded to binary32 and multiplied there before it is cut off.
 // In double they would be 51018 and 64125.
 TEST(HeightFields, FunctionsAreSampledInSinglePrecision) {
-  for (const char* text : {"height_field{function 2001,2{x}}",
-                           "height_field{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}"}) {
-    const auto object = object_of(text);
-    const scene::HeightMap& map = *(*object->as<std::shared_ptr<const scene::HeightField>>())->map;
-    const std::uint16_t* const top = &map.heights[2001];
-    EXPECT_EQ(top[1557], 51019) << text;
-    EXPECT_EQ(top[1957], 64126) << text;
-    EXPECT_EQ(top[1000], 32767) << text;
-  }
+  const auto object = object_of("height_field{function 2001,2{x}}");
+  const scene::HeightMap& map = *(*object->as<std::shared_ptr<const scene::HeightField>>())->map;
+  const std::uint16_t* const top = &map.heights[2001];
+  EXPECT_EQ(top[1557], 51019);
+  EXPECT_EQ(top[1957], 64126);
+  EXPECT_EQ(top[1000], 32767);
+}
+TEST(Images, PigmentsAreSampledInSinglePrecision) {
+  const auto object =
+      object_of("box{0,1 pigment{image_map{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}}}");
+  const auto& params = std::get<scene::ImageParams>(*object->texture->layers[0].pigment->pattern.params);
+  EXPECT_EQ(params.image->at(1557, 0).r, 51019 / 65535.0f);
+  EXPECT_EQ(params.image->at(1957, 0).r, 64126 / 65535.0f);
+  EXPECT_EQ(params.image->at(1000, 0).r, 32767 / 65535.0f);
 }
 
 TEST(Csg, DifferenceInvertsAllButTheFirst) {

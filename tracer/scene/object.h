@@ -145,7 +145,7 @@ struct BicubicPatch {
   std::array<Vec3, 16> points;
   std::optional<std::array<Vec2, 4>> uv;
 };
-// Heights 0 .. 65535, row by row from the bottom of an image (tracer/image/height_map.h).
+// Heights 0 .. 65535, row by row from the bottom of an image (tracer/shapes/heights/height_map.h).
 struct HeightMap {
   int width = 0, depth = 0, lowest = 65535, highest = 0;
   std::vector<std::uint16_t> heights;

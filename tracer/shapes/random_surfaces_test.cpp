@@ -2,7 +2,7 @@
 // own accuracy.
 #include <filesystem>
 
-#include "tracer/image/height_map.h"
+#include "tracer/shapes/heights/height_map.h"
 #include "tracer/shapes/surface_properties.h"
 #include "tracer/shapes/trace_test_support.h"
 
@@ -99,7 +99,7 @@ TEST(RandomTransforms, HeightFieldsAreMetOnTheirTriangles) {
   }
   image->samples = image::Samples(std::move(values));
   scene::HeightField field;
-  field.map = image::height_map(*image);
+  field.map = height_map(*image);
   const auto value = [height](const Vec3& p) {
     const double x = p.x * (kSide - 1), z = p.z * (kSide - 1);
     const int i = std::clamp(static_cast<int>(x), 0, kSide - 2), k = std::clamp(static_cast<int>(z), 0, kSide - 2);

@@ -1,7 +1,7 @@
 // height_field { image [water_level L] [smooth] } (spec 04 section 5).
 #include "parser/scene/objects.h"
 #include "parser/scene/textures/pattern.h"
-#include "tracer/image/height_map.h"
+#include "tracer/shapes/heights/height_map.h"
 
 namespace verisim::parser {
 
@@ -9,7 +9,7 @@ ObjectRef parse_height_field(Parser& parser) {
   return shape_block(parser, [&](scene::Object& object) {
     auto field = std::make_shared<scene::HeightField>();
     if (const ImagePtr image = parse_image(parser, ImageUse::height_field).image)
-      field->map = image::height_map(*image);
+      field->map = shapes::height_map(*image);
     for (;;) {
       if (parser.accept(Word::water_level)) {
         field->water_level = parser.parse_float();

@@ -1,7 +1,7 @@
 // Probes 11 to 13 of spec 04, and the pyramid against testing every cell.
 #include <random>
 
-#include "tracer/image/height_map.h"
+#include "tracer/shapes/heights/height_map.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/heights/height_packet.h"
 #include "tracer/shapes/heights/height_walk.h"
@@ -31,7 +31,7 @@ ImagePtr function_image(int w, int h, const std::function<double(double, double)
 }
 scene::HeightField field(ImagePtr image) {
   scene::HeightField f;
-  if (image) f.map = image::height_map(*image);
+  if (image) f.map = height_map(*image);
   return f;
 }
 
@@ -50,7 +50,7 @@ Image row(ImageType type, bool grey, bool sixteen, bool alpha, const std::vector
 }
 std::vector<int> heights(const Image& image) {
   std::vector<int> result;
-  for (int i = 0; i < image.width; ++i) result.push_back(image::height_of_pixel(image, i, 0));
+  for (int i = 0; i < image.width; ++i) result.push_back(height_of_pixel(image, i, 0));
   return result;
 }
 std::vector<std::array<float, 3>> greys(std::initializer_list<float> values) {

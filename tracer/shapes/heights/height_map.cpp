@@ -1,9 +1,9 @@
-#include "tracer/image/height_map.h"
+#include "tracer/shapes/heights/height_map.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace verisim::image {
+namespace verisim::shapes {
 
 std::uint16_t height_of_pixel(const Image& image, int x, int y) {
   if (image.indexed()) return static_cast<std::uint16_t>(image.index(x, y) * 256);
@@ -41,4 +41,4 @@ std::shared_ptr<const scene::HeightMap> height_map(const Image& image) {
   return map;
 }
 
-}  // namespace verisim::image
+}  // namespace verisim::shapes

@@ -18,6 +18,12 @@ class LensIsHollow {
   bool& lens_;
 };
 
+// Whether anything shows that a ray started in what is not hollow: else all are taken for hollow, and go together.
+bool hollow_shows(const shading::SceneData& scene) {
+  return scene.fog || !scene.rainbows.empty() ||
+         (scene.effects && (scene.effects->atmosphere || scene.effects->media_in_interiors));
+}
+
 }  // namespace
 
 std::optional<Color> PixelSampler::lens_ray(const Vec2& place, int number, bool& hollow) {
@@ -25,7 +31,7 @@ std::optional<Color> PixelSampler::lens_ray(const Vec2& place, int number, bool&
   if (!primary) return std::nullopt;
   tracer_.random().begin_sample(place.x, place.y, static_cast<std::uint32_t>(number));
   const LensIsHollow scope(tracer_, hollow);
-  hollow = tracer_.camera_state(primary->ray, camera_.origin_varies).hollow;
+  if (hollow_shows(tracer_.scene())) hollow = tracer_.camera_state(primary->ray, camera_.origin_varies).hollow;
   return trace(primary->ray, primary->image);
 }
 
@@ -66,12 +72,16 @@ void PixelSampler::lens_wavefront(std::span<const LensRay> rays) {
   }
   const auto count = static_cast<int>(rays.size());
   camera_.blur->rays(camera_.rays, wavefront_.places(), wavefront_.numbers(), count, wavefront_.packet().rays);
-  bool together = true;
+  const bool so_far = lens_.hollow[rays[0].sample];
+  bool together = true, hollow = so_far;
   for (int k = 0; k < count && together; ++k)
-    together = lens_.hollow[rays[static_cast<std::size_t>(k)].sample] && starts_like_the_first(k);
+    together = lens_.hollow[rays[static_cast<std::size_t>(k)].sample] == so_far && starts_like_the_first(k);
   Color seen[shading::Wavefront::kMax];
-  const bool hollow = together && tracer_.camera_state(wavefront_.packet().rays.at(0), false).hollow;
-  if (together) wavefront_.trace(count, entries, seen);
+  if (together) {
+    const LensIsHollow scope(tracer_, so_far);
+    if (hollow_shows(tracer_.scene())) hollow = tracer_.camera_state(wavefront_.packet().rays.at(0), false).hollow;
+    wavefront_.trace(count, entries, seen);
+  }
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const auto& [sample, number] = rays[k];
     if (together) lens_.hollow[sample] = hollow;

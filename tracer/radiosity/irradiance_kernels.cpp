@@ -27,14 +27,14 @@ HWY_INLINE FloatPacket whole(const std::int16_t* p) {
       hn::ConvertTo(FloatPacket::D(), hn::PromoteTo(wide, hn::LoadU(narrow, p + i * FloatPacket::kLanes)));
   return r;
 }
-// Eight numbers of which the upper halves of their bits are there.
+// Eight numbers, of upper_half_above().
 HWY_INLINE FloatPacket of_upper_halves(const std::uint16_t* p) {
   constexpr int kVectors = FloatPacket::kVectors;
   const hn::Rebind<std::uint16_t, FloatPacket::D> narrow;
   const hn::Rebind<std::uint32_t, FloatPacket::D> wide;
   FloatPacket r;
   VERISIM_EACH_VECTOR r.v[i] = hn::BitCast(
-      FloatPacket::D(), hn::ShiftLeft<16>(hn::PromoteTo(wide, hn::LoadU(narrow, p + i * FloatPacket::kLanes))));
+      FloatPacket::D(), hn::ShiftLeft<kLowerBits>(hn::PromoteTo(wide, hn::LoadU(narrow, p + i * FloatPacket::kLanes))));
   return r;
 }
 

@@ -12,9 +12,10 @@
 
 namespace verisim::global {
 
-// The upper half of the bits of x >= 0 or of the next larger number that has no more (bfloat16).
+// The upper sixteen bits behind the sign of x >= 0, or of the next larger number that has no more.
+inline constexpr int kLowerBits = 15;
 inline std::uint16_t upper_half_above(float x) {
-  return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(x) + 0xFFFFu) >> 16);
+  return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(x) + ((1u << kLowerBits) - 1)) >> kLowerBits);
 }
 
 // A sample as it is filed: its point relative to the centre of the list it is in, and in the unit of that.

@@ -119,6 +119,7 @@ TEST(IrradianceCache, LeavesOutOnlyWhatCannotCount) {
     EXPECT_TRUE(std::includes(visited.begin(), visited.end(), expected.begin(), expected.end()));
   }
   EXPECT_GT(found, 1000u);
+  // A leaf has one unit for the points of all its samples: the smallest of them are found from a little too far.
   EXPECT_LT(reachable, found + found / 12) << "what is too far or turned away should be left out";
 }
 

@@ -26,7 +26,7 @@ std::shared_ptr<Array> Parser::Impl::array() {
   }
   if (product * sizeof(Value) > static_cast<double>(options.limits.max_memory_bytes))
     error(Code::size_limit, "The array needs more memory than --max-memory allows.");
-  result->elements.resize(static_cast<std::size_t>(product));
+  result->elements.set_size(static_cast<std::size_t>(product));
   if (peek_blocked().punctuation == '{') {
     std::size_t element = 0;
     initialise(*result, 0, element);
@@ -74,7 +74,7 @@ void Parser::Impl::store_element(Array& array, std::size_t element, Value&& valu
     if (array.nesting >= options.limits.max_depth)
       error(Code::nesting_limit, "Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
   }
-  array.elements[element] = std::move(value);
+  array.elements.at(element) = std::move(value);
 }
 
 // All subscripts of one array; returns the index of the element.

@@ -19,8 +19,9 @@ bool string_word(Word word) { return word_class(word) == WordClass::string_funct
 // `count` gets the number of elements of an array and of each array within it.
 void each_array(const Array& array, const std::function<void(std::size_t)>& count) {
   count(array.elements.size());
-  for (const Value& element : array.elements)
+  array.elements.for_each([&](const Value& element) {
     if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&element); inner && *inner) each_array(**inner, count);
+  });
 }
 
 }  // namespace
@@ -351,7 +352,7 @@ void Parser::Impl::undef() {
     array = std::get<std::shared_ptr<Array>>(array->elements[element]);
     element = subscripts(*array);
   }
-  array->elements[element] = std::monostate{};
+  array->elements.at(element) = std::monostate{};
 }
 
 }  // namespace verisim::parser

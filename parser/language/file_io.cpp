@@ -191,7 +191,7 @@ void Parser::Impl::read() {
     std::shared_ptr<Array> array;
     while (std::holds_alternative<std::shared_ptr<Array>>(*place)) {
       std::shared_ptr<Array> next = std::get<std::shared_ptr<Array>>(*place);
-      place = &next->elements[subscripts(*next)];
+      place = &next->elements.at(subscripts(*next));
       array = std::move(next);
     }
     const auto* old = std::get_if<Numeric>(place);

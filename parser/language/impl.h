@@ -320,7 +320,7 @@ struct Parser::Impl {
     Variable* variable = nullptr;
     std::shared_ptr<Array> array;
     std::size_t element = 0;
-    Value& value() const { return array ? array->elements[element] : variable->value; }
+    Value& value() const { return array ? array->elements.at(element) : variable->value; }
     // A name without subscripts: a variable, or the element that a parameter stands for.
     static Resolved named(Symbol& symbol) {
       if (symbol.element_of) return {&symbol, nullptr, symbol.element_of, symbol.element};

@@ -173,6 +173,15 @@ TEST(Arrays, Subscripts) {
   EXPECT_EQ(number("dimension_size(B,3)", a), "0");
   EXPECT_EQ(number("dimensions(B)", a), "2");
   EXPECT_EQ(number("dimension_size(D,1)", "#declare D=array[2.9];"), "2");
+  // Elements get memory in blocks, each when it is written first.
+  const std::string large =
+      "#declare L=array[200000]; #declare L[63]=1; #declare L[64]=2; #declare L[199999]=3; #declare M=L; "
+      "#declare M[64]=20; #declare M[5]=5; #undef L[63] ";
+  EXPECT_EQ(number("M[5]+M[63]+M[64]+M[199999]", large), "29");
+  EXPECT_EQ(number("L[64]+L[199999]+dimension_size(L,1)", large), "200005");
+  EXPECT_EQ(number("defined(M[63])+10*defined(L[63])+100*defined(L[5])+1000*defined(L[64])", large), "1001");
+  EXPECT_FALSE(accepts(large + "sphere { 0, L[100000] }"));
+  EXPECT_FALSE(accepts(large + "sphere { 0, L[63] }"));
   EXPECT_EQ(number("A[1]", a + "#declare E=A; #declare E[1]=70;"), "2");
   for (const char* bad : {"A[3]", "A[-1]", "B[1]", "A/*c*/[0]", "A[1e300]", "A[-1e300]", "0+A[1e300]", "B[0][3e9]"})
     EXPECT_FALSE(accepts(a + "#declare X=" + bad + ";")) << bad;

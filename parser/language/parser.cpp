@@ -60,7 +60,7 @@ Value value_of(Parser::Impl& p, const DeclaredValue& given) {
       product != static_cast<double>(list.elements.size()))
     p.error(Code::array_size,
             "An array that is declared from outside has 1 to 5 dimensions, none of them empty, and as many elements.");
-  array->elements.resize(list.elements.size());
+  array->elements.set_size(list.elements.size());
   for (std::size_t i = 0; i < list.elements.size(); ++i) p.store_element(*array, i, value_of(p, list.elements[i]));
   return array;
 }

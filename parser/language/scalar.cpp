@@ -97,7 +97,7 @@ bool Parser::Impl::declare_fast(bool local) {
     terms = (*array)->type - 100;
     std::size_t element;
     if (!scanner.element(**array, element)) return false;
-    target = &(*array)->elements[element];
+    target = &(*array)->elements.at(element);
   }
   if (!scanner.accept('=')) return false;
   const Token* const value_at = scanner.at();

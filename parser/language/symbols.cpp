@@ -13,14 +13,15 @@ int type_key(const Value& value) {
 
 std::shared_ptr<Array> deep_copy(const Array& array) {
   auto copy = std::make_shared<Array>(array);
-  for (Value& element : copy->elements)
-    if (auto* inner = std::get_if<std::shared_ptr<Array>>(&element); inner && *inner) *inner = deep_copy(**inner);
+  for (std::size_t i = 0; copy->nesting > 1 && i < copy->elements.size(); ++i)
+    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&copy->elements[i]); inner && *inner)
+      copy->elements.at(i) = deep_copy(**inner);
   return copy;
 }
 
-Value& Symbol::value() { return element_of ? element_of->elements[element] : variable->value; }
+Value& Symbol::value() { return element_of ? element_of->elements.at(element) : variable->value; }
 
-Value& Target::value() { return array_ ? array_->elements[element_] : variable_->value; }
+Value& Target::value() { return array_ ? array_->elements.at(element_) : variable_->value; }
 
 SymbolTables::~SymbolTables() = default;
 

@@ -22,7 +22,7 @@ constexpr int kMaxDepth = 8, kMaxTables = 40;
 std::shared_ptr<const TrueTypeFont> TrueTypeFont::open(const std::string& path) {
   static std::mutex mutex;
   static std::map<std::string, std::shared_ptr<const TrueTypeFont>> known;
-  const std::string state = image::file_state(path);  // a file of this name may be another one by now
+  const std::string state = image::file_state(path.c_str());  // a file of this name may be another one by now
   const std::lock_guard lock(mutex);
   if (const auto at = known.find(state); at != known.end()) return at->second;
   std::ifstream file(path, std::ios::binary | std::ios::ate);

@@ -1,6 +1,10 @@
 #include "tracer/effects/photon_media.h"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <limits>
+
+#include "tracer/media/media_mixture.h"
 
 namespace verisim::global {
 namespace {
@@ -9,20 +13,24 @@ class NoLight : public MediaEnvironment {
  public:
   explicit NoLight(shading::Tracer& tracer) : tracer_(tracer) {}
   double random() override { return tracer_.random().media(); }
-  std::span<const scene::LightSource* const> lights() override { return {}; }
+  bool replay() const override { return tracer_.random().replay(); }
+  std::span<const scene::LightSource* const> lights() override {
+    sources_.clear();
+    const shading::SceneData& scene = tracer_.scene();
+    for (std::size_t i = 0; i < scene.global_lights(); ++i) {
+      const scene::LightSource& source = scene.lights()[i].source();
+      if (source.media_interaction && source.kind != scene::LightKind::shadowless) sources_.push_back(&source);
+    }
+    return {sources_.data(), sources_.size()};
+  }
   Rgb illumination(std::size_t, const Vec3&, Vec3&) override { return {}; }
 
  private:
   shading::Tracer& tracer_;
+  boost::container::small_vector<const scene::LightSource*, 16> sources_;
 };
 
 using MediaSpan = std::span<const CompiledMedia* const>;
-
-int most_intervals(MediaSpan media) {
-  int n = 1;
-  for (const CompiledMedia* m : media) n = std::max(n, m->description->intervals);
-  return n;
-}
 
 }  // namespace
 
@@ -48,7 +56,8 @@ void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState&
     attenuating = attenuating.subspan(in_containers);
   }
   NoLight environment(tracer);
-  packet *= passed * integrate(attenuating, ray.ray, length, true, environment).transmittance;
+  const MediaResult result = integrate(attenuating, ray.ray, length, false, environment);
+  packet = packet * (passed * result.transmittance) + result.emission;
 }
 
 Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, const Ray& ray, double length,
@@ -56,27 +65,30 @@ Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, co
                                     std::vector<shading::StoredPhoton>& stored) const {
   const scene::Photons& settings = effects_.scene().settings.photons;
   const bool parallel = shot.light->parallel;
-  const int intervals = most_intervals(media);
-  const double interval = length / intervals;
-  double step = shot.sigma * (parallel ? 1.0 : path) * settings.media_factor;
-  auto count = static_cast<long>(step > 0.0 ? std::min(interval / step, 1e9) : 0.0);
-  if (count > settings.media_count) count = settings.media_count, step = interval / static_cast<double>(count);
-  // Depth is measured where photons are left; what leaves none on its way through is lost.
-  if (count == 0) return {};
-  const double factor = parallel || path <= 0.0 ? step / shot.sigma : step / (shot.sigma * path);
-  Rgb extinction;
-  for (int i = 0; i < intervals; ++i) {
+  MediaIntervals intervals;
+  intervals.look_for_lights(NoLight(tracer).lights(), ray, length);
+  intervals.divide(MediaMixture(media), length);
+  Rgb depth;
+  for (const MediaInterval& interval : intervals.all()) {
+    double step = shot.sigma * (parallel ? 1.0 : path) * settings.media_factor;
+    auto count = static_cast<long>(step > 0.0 ? std::min(interval.length / step, 1e9) : 0.0);
+    if (count > settings.media_count)
+      count = settings.media_count, step = interval.length / static_cast<double>(count);
+    // Depth is measured where photons are left; of what leaves none on its way nothing is known.
+    if (count == 0) return Rgb(std::numeric_limits<float>::quiet_NaN());
+    const double factor = parallel || path <= 0.0 ? step / shot.sigma : step / (shot.sigma * path);
+    Rgb extinction;
     for (long j = 0; j < count; ++j) {
       const double at = (static_cast<double>(j) + 0.5 + (tracer.random().media() - 0.5) * settings.jitter) /
                         static_cast<double>(count);
-      const double distance = (i + at) * interval, travelled = path + distance;
+      const double distance = interval.start + at * interval.length, travelled = path + distance;
       const double share = factor * shot.sigma * (parallel ? 1.0 : travelled) * shot.area_factor(travelled);
       const Vec3 p = ray.at(distance);
       stored.push_back({p, -ray.direction, packet * static_cast<float>(share), true});
       for (const CompiledMedia* m : media) extinction += media_density(*m, p) * m->extinction;
     }
+    depth += extinction * static_cast<float>(interval.length / static_cast<double>(count));
   }
-  const Rgb depth = extinction * static_cast<float>(interval / static_cast<double>(count));
   return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)};
 }
 

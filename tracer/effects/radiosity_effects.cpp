@@ -33,6 +33,7 @@ class TracerFinalGatherer : public FinalGatherer {
   TracerFinalGatherer(const SceneEffects& effects, shading::Tracer& tracer) : effects_(effects), tracer_(tracer) {}
 
   void gather(const Vec3& from, std::span<const FinalGatherRay> rays, int depth, FinalGatherResult* results) override {
+    const shading::Tracer::GatherScope scope(tracer_, depth);
     const shading::RandomBranch branch(tracer_.random(), shading::RandomBranch::gather(0));
     const auto key = tracer_.random().key();
     shading::RayState state = gather_state(depth);

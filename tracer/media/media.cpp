@@ -131,7 +131,9 @@ class Integrator {
   }
 
   double jittered(double at, double step) {
-    return control_->jitter != 0.0 ? at + control_->jitter * step * (environment_.random() - 0.5) : at;
+    // POV-Ray draws a number even where the place does not hang on it.
+    if (control_->jitter == 0.0 && !environment_.replay()) return at;
+    return at + control_->jitter * step * (environment_.random() - 0.5);
   }
 
   // d1 .. d3: places on the grid; only where samples are taken is jittered.
@@ -168,7 +170,9 @@ class Integrator {
 
   // Whether samples neither draw numbers nor look at lights, so that they may be taken in any order; and densities gain
   // from being asked for together.
-  bool foreseeable() const { return mixture_.varies && control_->jitter == 0.0 && (shadow_ || !mixture_.scatters); }
+  bool foreseeable() const {
+    return mixture_.varies && control_->jitter == 0.0 && (shadow_ || !mixture_.scatters) && !environment_.replay();
+  }
 
   static constexpr int kMaxIntervals = (textures::PointBatch::kMax - 1) / 2;
 

@@ -8,6 +8,7 @@
 namespace verisim::global {
 std::array<std::uint8_t, 4> Photon::encode(const Rgb& energy) {
   const float v = energy.max();
+  if (std::isnan(v)) return {0, 0, 0, 250};  // of a packet that media left nothing known of (spec 07 3.8)
   if (!(v >= 1e-32f)) return {0, 0, 0, 0};
   int exponent;
   const double scale = std::frexp(static_cast<double>(v), &exponent) * 256.0 / v;

@@ -42,6 +42,7 @@ void IrradianceCache::add(const IrradianceSample& sample) {
   const Vec3& p = sample.point;
   if (!(reach > 0.0) || !std::isfinite(reach) || !(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < 1e9))
     return;
+  if (std::min({p.x, p.y, p.z}) < -kOrigin) return;  // before the lattice begins: in no cell that others share
   // The largest power of two that is not above the diameter.
   int level = static_cast<int>(std::floor(std::log2(static_cast<float>(2.0 * reach))));
   const double farthest = std::max({std::fabs(p.x - reach), std::fabs(p.y - reach), std::fabs(p.z - reach)}) + kOrigin;

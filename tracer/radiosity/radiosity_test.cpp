@@ -58,6 +58,17 @@ TEST(FinalGatherLattice, TakesTimeFromSamplesOfManyRaysAndGivesItToThoseOfFew) {
   EXPECT_FALSE(FinalGatherLattice::worthwhile(8));
 }
 
+TEST(IrradianceCache, SamplesBeforeTheLatticeBeginsAreInNoCell) {
+  IrradianceCache cache(1.8, 2.05);
+  IrradianceSample s;
+  s.normal = {0, 1, 0}, s.mean_distance = 1;
+  for (const double x : {0.0, -1e7 - 50, -1e8, 5.0}) {
+    s.point = {x, 0, 0};
+    cache.add(s);
+  }
+  EXPECT_EQ(cache.samples().size(), 2u);
+}
+
 TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
   // At depth 0 nothing within reach may be lost (spec 07 2.8).
   std::mt19937 generator(11);

@@ -57,15 +57,15 @@ void PhotonWalk::follow(const Packet& packet) {
 
 void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
   const shapes::Surface& surface = *hit.shape->surface;
-  const bool first_segment = packet.path == 0;
-  if (media_ && packet.ray.hollow)
-    media_->segment(tracer_, packet.ray, hit.t, packet.path, packet.reached, shot_, packet.color, *stored_);
-  packet.path += hit.t;
-
+  const bool first_segment = packet.path == 0, left_target = packet.reached;
   const bool is_target = shot_.target->contains(surface.object);
   if (is_target) packet.reached = hit_target_ = true;
   const bool passes = !packet.reached;
   if (passes && !surface.photons.pass_through) return;
+  if (media_ && packet.ray.hollow)
+    media_->segment(tracer_, packet.ray, hit.t, packet.path, left_target, shot_, packet.color, *stored_);
+  packet.path += hit.t;
+  packet.color *= tracer_.fade_factor(packet.ray.interiors, *surface.interior, hit.t);
   // Beyond the first segment every hit on an object that collects is stored, before the surface filters the packet.
   if (!first_segment && packet.reached && !packet.passed && surface.photons.collect)
     stored_->push_back({hit.point, -packet.ray.ray.direction,
@@ -140,9 +140,8 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
   }
   if (layers.empty()) return;
   const Vec3 top_normal = layers.front().normal;
-  const Rgb fade = tracer_.fade_factor(packet.ray.interiors, *at.surface.interior, at.hit.t);
   const bool total = refracts && translucency > shot_.adc_bailout &&
-                     refract(packet, at, top_normal, {filter * share, fade, share, filter.max_abs()});
+                     refract(packet, at, top_normal, {filter * share, share, filter.max_abs()});
   if (!reflects) return;
   for (const Layer& layer : layers) {
     if (layer.reflectivity == Rgb() || (total && Tracer::hidden_by_total_reflection(top_normal, layer.normal)))
@@ -152,7 +151,7 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
       const float e = 1 / layer.exponent;
       mirrored.color = {std::pow(packet.color.r, e), std::pow(packet.color.g, e), std::pow(packet.color.b, e)};
     }
-    reflect(mirrored, at, layer.normal, layer.reflectivity * fade * share, layer.weight);
+    reflect(mirrored, at, layer.normal, layer.reflectivity * share, layer.weight);
   }
 }
 
@@ -172,7 +171,7 @@ bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& norma
   const Tracer::InteriorScope scope(tracer_);
   const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, *at.surface.interior);
   if (packet.passed || (refraction.straight() && !refraction.disperses())) {
-    Packet child = child_of(packet, at, packet.ray.ray.direction, through.filter * through.fade, through.weight);
+    Packet child = child_of(packet, at, packet.ray.ray.direction, through.filter, through.weight);
     child.ray.interiors = refraction.interiors;
     child.ray.hollow = refraction.hollow;
     child.ray.refracted = true;
@@ -202,10 +201,10 @@ bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, 
                       const Tracer::Refraction& refraction, double ratio, float wavelength) {
   const auto direction = refracted_direction(packet.ray.ray.direction, normal, ratio);
   if (!direction) {  // total reflection: the surface filters the weight, but not the light
-    reflect(packet, at, normal, through.fade * through.share, through.weight);
+    reflect(packet, at, normal, Rgb(through.share), through.weight);
     return true;
   }
-  Packet child = child_of(packet, at, *direction, through.filter * through.fade, through.weight);
+  Packet child = child_of(packet, at, *direction, through.filter, through.weight);
   child.ray.interiors = refraction.interiors;
   child.ray.hollow = refraction.hollow;
   child.ray.refracted = true;

@@ -62,7 +62,7 @@ class PhotonWalk {
   };
   // What gets through a surface. Shares of textures do not count in weights.
   struct Passage {
-    Rgb filter, fade;  // by the surface, on the way to it; `filter` with `share`
+    Rgb filter;  // with `share`
     float share, weight;
   };
 

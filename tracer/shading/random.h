@@ -38,13 +38,18 @@ class RandomSource {
   // Called at the start of every camera ray.
   void begin_sample(double x, double y, std::uint32_t n) { begin(sample_key(x, y, n)); }
 
-  double shading() { return replay_ ? table(shading_index_) : next(0); }  // area light and rainbow jitter
-  double media() { return replay_ ? table(media_index_) : next(1); }
+  double shading() { return replay_ ? table(streams_.shading) : next(0); }  // area light and rainbow jitter
+  double media() { return replay_ ? table(streams_.media) : next(1); }
   double crand() {
     if (!replay_) return next(2);
-    crand_state_ = 1812433253u * crand_state_ + 12345u;
-    return crand_state_ / 4294967295.0;
+    streams_.crand = 1812433253u * streams_.crand + 12345u;
+    return streams_.crand / 4294967295.0;
   }
+  // How far POV-Ray's streams have been read.
+  struct Streams {
+    std::uint32_t shading = 0, media = 0, crand = 0;
+  };
+  Streams& streams() { return streams_; }
   bool replay() const { return replay_; }
   // Whether any number was drawn since begin().
   bool drawn() const { return drawn_outside_media() || counters_[1] != 0; }
@@ -68,7 +73,7 @@ class RandomSource {
   std::uint64_t seed_;
   Key key_ = 0;
   std::uint64_t counters_[3] = {};
-  std::uint32_t shading_index_ = 0, media_index_ = 0, crand_state_ = 0;
+  Streams streams_;
 };
 
 // While it lives, numbers are those of one branch of a ray's tree; POV-Ray's streams go on as ever.

@@ -84,6 +84,25 @@ class Tracer {
   void begin_block();
   void remember_blockers(const LastBlockers& blockers) { last_blockers_ = blockers; }
   const LastBlockers& remembered_blockers() const { return last_blockers_; }
+  // While it lives, rays are those that radiosity gathers: random streams and shadow cache are not those of the rays
+  // that ask for them (spec 07 1).
+  class GatherScope {
+   public:
+    // Depth 0: not itself gathered for others.
+    GatherScope(Tracer& tracer, int depth) : tracer_(depth == 0 && tracer.in_order_ ? &tracer : nullptr) {
+      exchange();
+    }
+    ~GatherScope() { exchange(); }
+    GatherScope(const GatherScope&) = delete;
+    GatherScope& operator=(const GatherScope&) = delete;
+
+   private:
+    void exchange() {
+      if (tracer_) std::swap(tracer_->memory_of_others_.streams, tracer_->random_.streams());
+      if (tracer_) tracer_->memory_of_others_.last_blockers.swap(tracer_->last_blockers_);
+    }
+    Tracer* const tracer_;
+  };
   // Null: nobody watches.
   void set_observer(Observer* observer) { observer_ = observer; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
@@ -295,6 +314,11 @@ class Tracer {
     std::uint64_t stamp = 0;
   };
   LastBlockers last_blockers_;
+  struct Memory {
+    RandomSource::Streams streams;
+    LastBlockers last_blockers;
+  };
+  Memory memory_of_others_;  // of gathered rays while others are traced, and of those while rays are gathered
   std::vector<CornerResult> corners_;
   Shuffle area_batches_, area_columns_;
   std::vector<int>

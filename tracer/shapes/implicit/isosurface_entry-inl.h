@@ -54,7 +54,8 @@ HWY_INLINE Mask meet_box(const Vec3& low, const Vec3& high, const Vector& origin
 HWY_INLINE Mask meet_sphere(const Vec3& center, double radius, const Vector& origin, const Vector& direction,
                             const Packet& speed, EntryPacket& e) {
   const Packet shorter = Packet(1.0) / speed;
-  const Vector d{direction.x * shorter, direction.y * shorter, direction.z * shorter}, to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z};
+  const Vector d{direction.x * shorter, direction.y * shorter, direction.z * shorter},
+      to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z};
   const Packet closest = dot(to_center, d), distance2 = dot(to_center, to_center), radius2 = radius * radius;
   const Packet half2 = radius2 - distance2 + closest * closest, half = sqrt(half2);
   store(e.enter, (closest - half) / speed), store(e.leave, (closest + half) / speed);

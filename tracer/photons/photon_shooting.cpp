@@ -5,7 +5,6 @@
 
 #include "tracer/functions/sine_kernels.h"
 #include "tracer/math/constants.h"
-#include "tracer/world/frame_list.h"
 #include "tracer/film/errors.h"
 #include "tracer/shading/random.h"
 
@@ -107,11 +106,11 @@ Ray start_of(const PhotonPair& pair, const Aim& aim, const Turns& turns, int k) 
 
 RandomTable::RandomTable() : numbers_(shading::mersenne_table()) {}
 
-std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, bool split_unions) {
+std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, std::span<const scene::Object* const> objects) {
   std::vector<const scene::LightSource*> lights;
   std::vector<const scene::Object*> targets;
   collect_lights(scene.objects, lights);
-  for (const scene::Object* object : accel::frame_list(scene, split_unions).objects) collect_targets(*object, targets);
+  for (const scene::Object* object : objects) collect_targets(*object, targets);
   std::vector<PhotonPair> pairs;
   for (const scene::LightSource* light : lights) {
     for (const scene::Object* target : targets) {

@@ -34,9 +34,8 @@ struct PhotonPair {
   double density = 1;  // the number after `target`
   bool reflection = false, refraction = false;
 };
-// All pairs that are used, in POV-Ray's order: lights, then targets in scene order. `split_unions`: as the world was
-// made.
-std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, bool split_unions);
+// All pairs that are used, in POV-Ray's order: lights, then targets in the order of the world's objects.
+std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, std::span<const scene::Object* const> objects);
 // The spacing in force: that of the settings, or computed from `count` (spec 07 3.4).
 double photon_spacing(const scene::Photons& settings, std::span<const PhotonPair> pairs);
 

@@ -177,7 +177,7 @@ void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, 
   } else if (!settings.load_file.empty()) {
     global::load_photons(settings.load_file, surface, media);
   } else {
-    const auto pairs = global::photon_pairs(effects.scene(), options.split_unions);
+    const auto pairs = global::photon_pairs(effects.scene(), data.world.objects());
     const double spacing = global::photon_spacing(settings, pairs);
     Shooter shooter(effects, data, options, threads);
     global::RandomTable random;

@@ -213,6 +213,7 @@ struct Text {
   double thickness = 1;
   Vec3 offset{0, 0, 0};
   bool unicode = false;  // charset utf8 or sys: decides which character table of the font is used (spec 04 section 9)
+  std::optional<Vec2> place;  // of a letter that was taken out of a text: where its outline stands
 };
 
 struct MeshTriangle {

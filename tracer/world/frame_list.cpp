@@ -2,16 +2,21 @@
 
 #include <algorithm>
 
+#include "tracer/scene/bounds.h"
+#include "tracer/scene/extents.h"
+
 namespace verisim::accel {
 namespace {
 
 using scene::Object;
 using scene::ObjectPtr;
 
+bool is_split(const Object& object) { return object.clipped_by.empty() && object.split_union; }
+
 bool is_dissolved(const Object& object, bool split_unions) {
   if (object.as<scene::LightGroup>()) return true;
   const auto* csg = object.as<scene::Csg>();
-  if (!csg || csg->kind != scene::CsgKind::union_ || !object.clipped_by.empty() || !object.split_union) return false;
+  if (!csg || csg->kind != scene::CsgKind::union_ || !is_split(object)) return false;
   if (object.bounded_by.empty()) return true;
   if (!split_unions) return false;
   const std::vector<ObjectPtr>& children = scene::children_of(object);
@@ -29,10 +34,35 @@ void collect_lights(const Object& object, bool in_group, std::vector<const scene
   }
 }
 
+// A text is the union of its letters (spec 04 section 9): empty if it is not dissolved, or a single letter.
+std::vector<scene::Text> letters_of(const Object& object, bool split_unions) {
+  const auto* text = object.as<std::shared_ptr<const scene::Text>>();
+  if (!text || (*text)->text.size() < 2 || object.inverted || !is_split(object)) return {};
+  if (!object.bounded_by.empty() && !split_unions) return {};
+  return shapes::letters_of(**text);
+}
+
+ObjectPtr letter_object(const Object& text, const scene::Text& letter) {
+  auto object = std::make_shared<Object>(text);
+  object->bounded_by.clear();
+  const Box3 box = shapes::letter_box(letter);
+  const Transform placed = Transform::translation({letter.place->x, letter.place->y, 0}).then(*text.transform);
+  object->bounds = scene::transformed(scene::make_bounds(box.min, box.max), placed);
+  object->shape = std::make_shared<const scene::Text>(letter);
+  return object;
+}
+
 void collect_objects(const Object& object, bool split_unions, bool copied, FrameList& list) {
   copied = copied || object.copied;
   if (is_dissolved(object, split_unions)) {
     for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, copied, list);
+    return;
+  }
+  if (const std::vector<scene::Text> letters = letters_of(object, split_unions); !letters.empty()) {
+    for (const scene::Text& letter : letters) {
+      list.letters.push_back(letter_object(object, letter));
+      collect_objects(*list.letters.back(), split_unions, copied, list);
+    }
     return;
   }
   ++list.entries;

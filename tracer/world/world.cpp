@@ -173,6 +173,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   Impl& w = *impl_;
   FrameList list = frame_list(scene, arrangement.split_unions);
   w.lights = std::move(list.lights);
+  w.letters = std::move(list.letters);
   w.in_order = std::cmp_less(list.entries, arrangement.bounding_threshold);
 
   std::vector<Box3> boxes;
@@ -475,6 +476,11 @@ void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textu
   }
 }
 
+std::vector<const scene::Object*> World::objects() const {
+  std::vector<const scene::Object*> objects;
+  for (const Entry& entry : impl_->entries) objects.push_back(entry.object);
+  return objects;
+}
 std::span<const scene::LightSource* const> World::lights() const { return impl_->lights; }
 Box3 World::bounds() const { return impl_->bounds; }
 

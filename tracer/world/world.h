@@ -109,6 +109,8 @@ class World {
   // empty: surface->texture alone. `out` is cleared first.
   void weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const;
 
+  // What rays are tested against one by one: spec 03 2.3.
+  std::vector<const scene::Object*> objects() const;
   std::span<const scene::LightSource* const> lights() const;  // global lights in file order
   Box3 bounds() const;                                        // of all finite objects
   // What shapes at frame level have to say after a render; copies of declared objects say nothing.

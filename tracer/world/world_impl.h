@@ -119,6 +119,7 @@ struct Enclosure {
 
 struct World::Impl {
   std::vector<Entry> entries;
+  std::vector<scene::ObjectPtr> letters;  // of texts: entries that the scene does not have
   std::vector<std::unique_ptr<Shape>> shapes;
   std::vector<std::uint32_t> unbounded;      // entries beside the tree
   std::vector<std::optional<Plane>> planes;  // of each of them that is one

@@ -1,14 +1,17 @@
 #include "tracer/render/cameras/camera_rays.h"
 
 #include "tracer/math/constants.h"
+#include "tracer/math/transform.h"
 
 namespace verisim::render {
 namespace {
 
-// v about the unit axis k (spec 02 section 1.5, spherical).
-Vec3 rotate_about(const Vec3& v, const Vec3& k, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return v * c + cross(k, v) * s + k * (dot(k, v) * (1 - c));
+constexpr double kDegree = kPi / 180;
+
+// Divided by its length, where other vectors are multiplied by its reciprocal.
+Vec3 unit(const Vec3& v) {
+  const double l = length(v);
+  return {v.x / l, v.y / l, v.z / l};
 }
 
 }  // namespace
@@ -23,12 +26,12 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height, Windo
       direction_(camera.direction),
       right_(camera.right),
       up_(camera.up),
-      unit_direction_(normalize(camera.direction)),
-      unit_right_(normalize(camera.right)),
-      unit_up_(normalize(camera.up)),
+      unit_direction_(unit(camera.direction)),
+      unit_right_(unit(camera.right)),
+      unit_up_(unit(camera.up)),
       right_length_(length(camera.right)),
       up_length_(length(camera.up)),
-      angle_(camera.angle * kPi / 180),
+      angle_(camera.angle),
       horizontal_(camera.horizontal_angle * kPi / 180),
       vertical_(camera.vertical_angle * kPi / 180),
       origin_varies_(kind_ == scene::CameraKind::orthographic || kind_ == scene::CameraKind::cylinder3 ||
@@ -60,9 +63,9 @@ std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
     case Kind::orthographic:
       return PrimaryRay{{location_ + uc * right_ + wc * up_, direction_}, {uc, wc}};
     case Kind::fisheye:
-      return fisheye(u2 * right_length_, w2 * up_length_, angle_ / 2);
+      return fisheye(u2 * right_length_, w2 * up_length_);
     case Kind::ultra_wide_angle: {
-      const double a = uc * angle_, b = wc * angle_ * up_length_ / right_length_;
+      const double a = uc * (angle_ * kDegree), b = wc * (angle_ * (up_length_ / right_length_) * kDegree);
       return PrimaryRay{
           {location_, std::sin(a) * unit_right_ + std::sin(b) * unit_up_ + std::cos(a) * std::cos(b) * unit_direction_},
           {a, b}};
@@ -75,34 +78,34 @@ std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
       return PrimaryRay{{location_, std::cos(phi) * right_ + tangent * up_ + std::sin(phi) * direction_}, {phi, psi}};
     }
     case Kind::cylinder1: {
-      const double phi = uc * angle_;
+      const double phi = uc * (angle_ * kDegree);
       return PrimaryRay{
           {location_, std::sin(phi) * unit_right_ + wc * up_length_ * unit_up_ + std::cos(phi) * unit_direction_},
           {phi, wc * up_length_}};
     }
     case Kind::cylinder2: {
-      const double phi = wc * angle_;
+      const double phi = wc * (angle_ * kDegree);
       return PrimaryRay{
           {location_, uc * right_length_ * unit_right_ + std::sin(phi) * unit_up_ + std::cos(phi) * unit_direction_},
           {uc * right_length_, phi}};
     }
     case Kind::cylinder3: {
-      const double phi = uc * angle_;
+      const double phi = uc * (angle_ * kDegree);
       return PrimaryRay{
           {location_ + wc * up_length_ * unit_up_, std::sin(phi) * unit_right_ + std::cos(phi) * unit_direction_},
           {phi, wc * up_length_}};
     }
     case Kind::cylinder4: {
-      const double phi = wc * angle_;
+      const double phi = wc * (angle_ * kDegree);
       return PrimaryRay{
           {location_ + uc * right_length_ * unit_right_, std::sin(phi) * unit_up_ + std::cos(phi) * unit_direction_},
           {uc * right_length_, phi}};
     }
     case Kind::spherical: {
       const double horizontal = uc * horizontal_, vertical = wc * vertical_;
-      return PrimaryRay{
-          {location_, rotate_about(rotate_about(direction_, unit_right_, -vertical), unit_up_, horizontal)},
-          {horizontal, vertical}};
+      const Vec3 raised = Transform::axis_rotation(right_, -vertical).direction(direction_);
+      return PrimaryRay{{location_, Transform::axis_rotation(up_, horizontal).direction(raised)},
+                        {horizontal, vertical}};
     }
     case Kind::mesh_camera:
       break;
@@ -110,16 +113,21 @@ std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
   return std::nullopt;
 }
 
-std::optional<PrimaryRay> CameraRays::fisheye(double p, double q, double half_angle) const {
+PrimaryRay CameraRays::round_ray(double phi, double theta) const {
+  const double s = std::sin(theta);
+  return {
+      {location_, std::cos(phi) * s * unit_right_ + std::sin(phi) * s * unit_up_ + std::cos(theta) * unit_direction_},
+      {phi, theta}};
+}
+
+std::optional<PrimaryRay> CameraRays::fisheye(double p, double q) const {
   const double rho = std::sqrt(p * p + q * q);
   if (rho > 1) return std::nullopt;
   if (rho == 0) return PrimaryRay{{location_, unit_direction_}, {0, 0}};
-  const double theta = rho * half_angle;
+  const double theta = rho * angle_ / 2 * kDegree;
   double phi = std::asin(q / rho);
   if (p < 0) phi = kPi - phi;
-  return PrimaryRay{{location_, std::sin(theta) * (p / rho) * unit_right_ + std::sin(theta) * (q / rho) * unit_up_ +
-                                    std::cos(theta) * unit_direction_},
-                    {phi, theta}};
+  return round_ray(phi, theta);
 }
 
 std::optional<PrimaryRay> CameraRays::omnimax(double u2, double w2) const {
@@ -127,7 +135,7 @@ std::optional<PrimaryRay> CameraRays::omnimax(double u2, double w2) const {
   const double s = right_length_ / up_length_;
   double p = u2, q;
   if (s > kAspect) {
-    p = u2 * s / kAspect, q = (w2 - 1) / kAspect + 1;
+    p = u2 * (s / kAspect), q = (w2 - 1) / kAspect + 1;
   } else if (s > 1) {
     q = (w2 - 1) / s + 1;
   } else {
@@ -140,9 +148,7 @@ std::optional<PrimaryRay> CameraRays::omnimax(double u2, double w2) const {
   if (q / rho * std::sin(theta) < -std::cos(theta)) return std::nullopt;  // more than 45 degrees below the axis
   double phi = std::asin(q / rho);
   if (p < 0) phi = kPi - phi;
-  return PrimaryRay{{location_, std::sin(theta) * (p / rho) * unit_right_ + std::sin(theta) * (q / rho) * unit_up_ +
-                                    std::cos(theta) * unit_direction_},
-                    {phi, theta}};
+  return round_ray(phi, theta);
 }
 
 }  // namespace verisim::render

@@ -42,7 +42,9 @@ class CameraRays {
 
  private:
   void window_directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const;
-  std::optional<PrimaryRay> fisheye(double p, double q, double half_angle) const;
+  std::optional<PrimaryRay> fisheye(double p, double q) const;
+  // phi: around the direction, from the right; theta: from the direction.
+  PrimaryRay round_ray(double phi, double theta) const;
   std::optional<PrimaryRay> omnimax(double u2, double w2) const;
 
   scene::CameraKind kind_;
@@ -50,7 +52,8 @@ class CameraRays {
   Vec3 location_, direction_, right_, up_;
   Vec3 unit_direction_, unit_right_, unit_up_;
   double right_length_, up_length_;
-  double angle_, horizontal_, vertical_;  // radians
+  double angle_;                  // degrees
+  double horizontal_, vertical_;  // radians
   bool origin_varies_;
 };
 

@@ -42,7 +42,7 @@ bool intersect_box(const Vec3& low, const Vec3& high, const Vec3& o, const Vec3&
 
 bool intersect_sphere(const Vec3& center, double radius, const Vec3& o, const Vec3& direction, ContainerSpan& span) {
   const double scale = length(direction);
-  const Vec3 d = direction / scale, to_center = center - o;
+  const Vec3 d = direction * (1 / scale), to_center = center - o;
   const double closest = dot(to_center, d), distance2 = dot(to_center, to_center), radius2 = radius * radius;
   if (distance2 >= radius2 && closest < kEpsilon) return false;
   const double half2 = radius2 - distance2 + closest * closest;
@@ -72,7 +72,7 @@ bool in_container(const scene::Contained& container, const Vec3& p) {
 }
 
 Vec3 container_normal(const scene::Contained& container, int face, const Vec3& p) {
-  if (container.sphere) return (p - container.center) / container.radius;
+  if (container.sphere) return (p - container.center) * (1 / container.radius);
   Vec3 n(0, 0, 0);
   if (face > 0 && face < 7) n[(face - 1) / 2] = face % 2 ? -1 : 1;
   return n;

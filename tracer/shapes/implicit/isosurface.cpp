@@ -399,7 +399,7 @@ class Isosurface::BatchTrace {
   unsigned go_on(unsigned found) {
     unsigned active = 0;
     each_lane(found, [&](int k) {
-      const double t = packet_.begin[k] + packet_.width[k];
+      const double t = packet_.hit[k];
       if (hits_.add(k, t, 0)) return;
       const double begin = entry_.begin[k] = t + 5 * s_.accuracy;
       if (entry_.end[k] - begin < s_.accuracy || begin > hits_.t_max[k]) return;

@@ -15,12 +15,12 @@ namespace verisim::shapes {
 inline constexpr int kMaxHalvings = 50;
 
 // The nodes that eight rays are at, and the way to them. A search of lane k is set up in begin ... sign; `slope` is the
-// slope bound along its ray.
+// slope bound along its ray. What it finds is in `hit`, where meanwhile lanes that home in have the end of their node.
 struct alignas(64) SearchPacket {
   static constexpr int kCount = RayPacket::kCount;
   double origin[3][kCount], direction[3][kCount];  // in object space
-  double begin[kCount], width[kCount], value0[kCount], value1[kCount], slope[kCount], sign[kCount];
-  double root_width[kCount];
+  double begin[kCount], end[kCount], width[kCount], value0[kCount], value1[kCount], slope[kCount], sign[kCount];
+  double root_width[kCount], hit[kCount];
   double steepest[kCount];  // change of the function over a node, for its width: the largest that any ray is known to
                             // have met
   std::int64_t place[kCount], unit[kCount];  // where the node begins and how long it is, in 2^-50 of the root
@@ -78,7 +78,7 @@ struct IsosurfaceKernels {
   void (*middles)(const SearchPacket& packet, double* points);
   // Begins at the roots; the lanes that want the value in the middle of their node.
   unsigned (*start)(SearchPacket& packet, unsigned active_mask);
-  // Goes on with the values in the middles. A lane that ends has found the surface at begin + width, or nothing.
+  // Goes on with the values in the middles. A lane that ends has found the surface at `hit`, or nothing.
   unsigned (*advance)(SearchPacket& packet, const double* values);
   // Unit normals in the world, not inverted, from the values at points and at a step along each axis from there: eight
   // each.
@@ -111,7 +111,7 @@ class FieldPacket {
 void evaluate_around(const functions::Program& program, const double (&points)[3][SearchPacket::kCount], double step,
                      unsigned active_mask, double* values);
 
-// The lanes of `active` that find the surface; where is begin + width. Those that are lost found nothing, which means
+// The lanes of `active` that find the surface; where is `hit`. Those that are lost found nothing, which means
 // nothing.
 unsigned find_intersections(FieldPacket& field, SearchPacket& packet, unsigned active_mask);
 

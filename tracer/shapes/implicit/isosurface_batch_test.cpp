@@ -88,6 +88,7 @@ void set_up(SearchPacket& packet, std::mt19937& random) {
   for (int k = 0; k < SearchPacket::kCount; ++k) {
     for (int i = 0; i < 3; ++i) packet.origin[i][k] = unit(random), packet.direction[i][k] = unit(random);
     packet.begin[k] = unit(random), packet.width[k] = 3 + unit(random);
+    packet.end[k] = packet.begin[k] + packet.width[k];
     packet.value0[k] = 0.5 + unit(random), packet.value1[k] = unit(random);
     packet.slope[k] = 2 + unit(random), packet.sign[k] = unit(random) < 0 ? -1 : 1;
   }
@@ -128,7 +129,7 @@ TEST(IsosurfaceBatch, AMapChangesOnlyTheSteps) {
       }
       packet.bend_anywhere[k] = std::numeric_limits<double>::infinity();
       packet.speed2[k] = speed * speed * (1 + 1e-12);
-      packet.width[k] = 1;
+      packet.end[k] = packet.width[k] = 1;
       packet.value0[k] = (*function)(from.x, from.y, from.z) - packet.threshold,
       packet.value1[k] = (*function)(to.x, to.y, to.z) - packet.threshold;
       packet.slope[k] = (n % 5 == 0 ? 2.0 : 5.0) * speed;  // too small, or large enough
@@ -156,8 +157,7 @@ TEST(IsosurfaceBatch, AMapChangesOnlyTheSteps) {
       ASSERT_EQ(with.steepest[k], packet.steepest[k]);
       if (packet.found[k] == 0) continue;
       ++hits;
-      ASSERT_EQ(with.begin[k], packet.begin[k]);
-      ASSERT_EQ(with.width[k], packet.width[k]);
+      ASSERT_EQ(with.hit[k], packet.hit[k]);
     }
   }
   EXPECT_GT(hits, 5000);
@@ -182,8 +182,7 @@ TEST(IsosurfaceBatch, InstructionSetsGiveTheSameBits) {
       SearchPacket other = start;
       ASSERT_EQ(search(*kernels, other), found);
       each_lane(0xed, [&](int k) {
-        ASSERT_EQ(other.begin[k], plain.begin[k]);
-        ASSERT_EQ(other.width[k], plain.width[k]);
+        ASSERT_EQ(other.hit[k], plain.hit[k]);
         ASSERT_EQ(other.steepest[k], plain.steepest[k]);
       });
     }

@@ -22,7 +22,6 @@ namespace HWY_NAMESPACE {
 using namespace simd::HWY_NAMESPACE;
 
 using Vector = PacketVector<Packet>;
-HWY_INLINE Vector divided(const Vector& a, const Packet& by) { return {a.x / by, a.y / by, a.z / by}; }
 
 HWY_INLINE Mask meet_box(const Vec3& low, const Vec3& high, const Vector& origin, const Vector& direction,
                          EntryPacket& e) {
@@ -54,7 +53,9 @@ HWY_INLINE Mask meet_box(const Vec3& low, const Vec3& high, const Vector& origin
 
 HWY_INLINE Mask meet_sphere(const Vec3& center, double radius, const Vector& origin, const Vector& direction,
                             const Packet& speed, EntryPacket& e) {
-  const Vector d = divided(direction, speed), to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z};
+  const Packet shorter = Packet(1.0) / speed;
+  const Vector d{direction.x * shorter, direction.y * shorter, direction.z * shorter},
+      to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z};
   const Packet closest = dot(to_center, d), distance2 = dot(to_center, to_center), radius2 = radius * radius;
   const Packet half2 = radius2 - distance2 + closest * closest, half = sqrt(half2);
   store(e.enter, (closest - half) / speed), store(e.leave, (closest + half) / speed);
@@ -131,6 +132,7 @@ void set_up(SearchPacket& s, const EntryPacket& e, unsigned active, bool open) {
   const Packet sign = open ? select(given * at_begin < 0.0, -given, given) : given;
   store(s.sign, sign);
   store(s.begin, select(here, begin, Packet(0.0))), store(s.width, select(here, load(e.end) - begin, one));
+  store(s.end, select(here, load(e.end), one));
   store(s.value0, select(here, sign * at_begin, one)), store(s.value1, select(here, sign * load(e.at_end), one));
 }
 

@@ -40,24 +40,41 @@ struct State {
   Mask active;
 };
 
-// Lanes whose node is done, and in which nothing was found, go on to the next one: the right sibling of the node or of
-// one above it.
-HWY_INLINE void turn_right(const SearchPacket& s, State& at, const Mask& done) {
+// The node that begins where another one ends: its right sibling or that of one above it; of depth 0: none does.
+struct NextNode {
+  IntPacket place, unit, depth;
+  Packet width;
+};
+HWY_INLINE NextNode next_node(const SearchPacket& s, const State& at) {
   constexpr double kShift = 0x1p52;
   // 2^-depth of the node there: of those that begin at `next` it is a right sibling that has the length of the lowest
   // bit.
   const IntPacket next = at.place + at.unit, unit = next & (IntPacket(0) - next);
   const Packet length = number_of(unit | IntPacket(std::bit_cast<std::int64_t>(kShift))) - kShift;
-  const IntPacket depth = IntPacket(kMaxHalvings + 1023) - shift_right<52>(bits_of(length));
-  const Mask turns = done & (depth > IntPacket(0));
-  const IntPacket above = entries(depth - IntPacket(1));
-  const Packet begin = gather(s.begins[0], above, turns), value1 = gather(s.ends[0], above, turns);
+  return {next, unit, IntPacket(kMaxHalvings + 1023) - shift_right<52>(bits_of(length)),
+          load(s.root_width) * (length * (1.0 / static_cast<double>(kRoot)))};
+}
+HWY_INLINE Packet begin_of(const SearchPacket& s, const NextNode& next, const Mask& lanes) {
+  return gather(s.begins[0], entries(next.depth - IntPacket(1)), lanes) + next.width;
+}
+// Where nodes end: that is where the next one begins, to the last bit, not begin + width.
+HWY_INLINE Packet end_of(const SearchPacket& s, const State& at, const Mask& lanes) {
+  const NextNode next = next_node(s, at);
+  const Mask within = lanes & (next.depth > IntPacket(0));
+  return select(within, begin_of(s, next, within), load(s.end));
+}
+
+// Lanes whose node is done, and in which nothing was found, go on to the next one.
+HWY_INLINE void turn_right(const SearchPacket& s, State& at, const Mask& done) {
+  const NextNode next = next_node(s, at);
+  const Mask turns = done & (next.depth > IntPacket(0));
+  const Packet value1 = gather(s.ends[0], entries(next.depth - IntPacket(1)), turns);
   at.active &= ~done | turns;
-  at.place = select(turns, next, at.place);
-  at.unit = select(turns, unit, at.unit);
-  at.depth = select(turns, depth, at.depth);
-  at.width = select(turns, load(s.root_width) * (length * (1.0 / static_cast<double>(kRoot))), at.width);
-  at.begin = select(turns, begin + at.width, at.begin);
+  at.begin = select(turns, begin_of(s, next, turns), at.begin);
+  at.width = select(turns, next.width, at.width);
+  at.place = select(turns, next.place, at.place);
+  at.unit = select(turns, next.unit, at.unit);
+  at.depth = select(turns, next.depth, at.depth);
   at.value0 = select(turns, at.value1, at.value0);
   at.value1 = select(turns, value1, at.value1);
 }
@@ -111,8 +128,8 @@ HWY_INLINE void begin_homing(SearchPacket& s, const State& at, const Packet& ris
   const auto set = [&](double* to, const Packet& v)
                        VERISIM_INLINE_LAMBDA { store(to, select(o.crossed, v, load(to))); };
   const double error = 4 * s.map->error();
-  const Packet end = at.begin + at.width;
-  set(s.low, at.begin), set(s.high, end), set(s.bend, o.bend), set(s.grain, abs(end) * 0x1p-48);
+  const Packet end = end_of(s, at, o.crossed);
+  set(s.hit, end), set(s.low, at.begin), set(s.high, end), set(s.bend, o.bend), set(s.grain, abs(end) * 0x1p-48);
   set(s.fewest, at.width * (1 - 1e-12) / (rise + o.sag + error)),
       set(s.most, at.width * (1 + 1e-12) / (rise - o.sag - error));
   const Mask nearer = at.value0 < -at.value1;
@@ -143,7 +160,7 @@ HWY_INLINE void home_in(SearchPacket& s, const Packet& value) {
   const Packet fewest = select(better, max(load(s.fewest), (1 - 1e-12) / (chord + spread)), load(s.fewest)),
                most = select(better, min(load(s.most), (1 + 1e-12) / least), load(s.most));
   limit(fewest, most);
-  Packet begin = load(s.begin), width = load(s.width);
+  Packet begin = load(s.begin), width = load(s.width), end = load(s.hit);
   const Packet grain = load(s.grain);
   for (;;) {
     const Packet half = width / 2.0, middle = begin + half;
@@ -151,11 +168,13 @@ HWY_INLINE void home_in(SearchPacket& s, const Packet& value) {
     if (bits(down) == 0) break;
     width = select(down, half, width);
     begin = select(down & right, middle, begin);
+    end = select(down & ~right, middle, end);
   }
   const IntPacket tries = load(s.tries) + IntPacket(1);
   const Mask found = homing & (width < s.accuracy), lost = homing & ~found & (tries > IntPacket(kTries));
   const Packet next = t + value * (0.5 * (fewest + most));
   store(s.begin, select(homing, begin, load(s.begin))), store(s.width, select(homing, width, load(s.width)));
+  store(s.hit, end);
   store(s.low, low), store(s.high, high), store(s.fewest, fewest), store(s.most, most);
   store(s.last, t), store(s.last_value, value), store(s.probe, min(max(next, low), high));
   store(s.tries, tries), store_mask(s.lost, load_mask(s.lost) | lost);
@@ -186,6 +205,7 @@ HWY_INLINE unsigned settle(SearchPacket& s, State& at) {
         steepest = select(steeper, rise / at.width, steepest);
       const Mask leaf = at.width < s.accuracy, found = at.active & leaf & (at.value1 < 0.0);
       halved = at.active & ~leaf & (at.value0 + at.value1 < slope * at.width);
+      if (bits(found) != 0) store(s.hit, select(found, end_of(s, at, found), load(s.hit)));
       store_mask(s.found, load_mask(s.found) | found);
       at.active &= ~found;
       const Mask done = at.active & ~halved;
@@ -212,7 +232,7 @@ unsigned start(SearchPacket& s, unsigned active_mask) {
   const Mask none = Mask::of_bits(0);
   store(s.root_width, load(s.width));
   store_mask(s.found, none), store_mask(s.homing, none), store_mask(s.lost, none), store(s.tries, IntPacket(0));
-  for (double* const unset : {s.low, s.high, s.fewest, s.most, s.bend, s.grain, s.probe, s.last, s.last_value})
+  for (double* const unset : {s.hit, s.low, s.high, s.fewest, s.most, s.bend, s.grain, s.probe, s.last, s.last_value})
     store(unset, Packet(0.0));
   State at{load(s.begin), load(s.width),    load(s.value0), load(s.value1),
            IntPacket(0),  IntPacket(kRoot), IntPacket(0),   Mask::of_bits(active_mask)};

@@ -193,7 +193,7 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
 
   constexpr int kMaxDepth = 62;  // halvings after which floating point has no finer steps
   struct Node {
-    double begin, width, slope;
+    double begin, end, width, slope;  // the end is that of a node above, not begin + width
     int depth;
   };
   double largest = Value::least_slope(steepest_known) * speed;  // change of the function over a node, for its width
@@ -212,7 +212,7 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
   int count = 0;
   ends[0] = end_field(end).times(sign);
   if constexpr (std::is_same_v<Value, ExactValue>) least = std::min(first.v, ends[0].v);
-  Node node{begin, end - begin, gradient, 0};
+  Node node{begin, end, end - begin, gradient, 0};
   for (;;) {
     bool split = false;
     Value& value1 = ends[count];
@@ -220,7 +220,7 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
     const double slope = adapted(node.slope, value0, value1, node.width);
     if (node.width < accuracy || node.depth == kMaxDepth) {
       if (value1.below(*this, 0)) {
-        t = node.begin + node.width;
+        t = node.end;
         return ended(true);
       }
     } else if (Value::sum_below(*this, value0, value1, slope * speed * node.width)) {
@@ -228,10 +228,10 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
     }
     if (split) {
       const double half = node.width / 2, middle = node.begin + half;
-      waiting[count] = {middle, half, slope, node.depth + 1};
+      waiting[count] = {middle, node.end, half, slope, node.depth + 1};
       ends[++count] = Value(*this, middle, sign);
       seen(ends[count]);
-      node = {node.begin, half, slope, node.depth + 1};
+      node = {node.begin, middle, half, slope, node.depth + 1};
     } else {
       if (count == 0) return ended(false);
       value0 = ends[count];

@@ -267,7 +267,6 @@ class Parametric final : public Primitive<Parametric> {
     Waiting stack[kMaxDepth + 2];
     int count = 0;
     stack[count++] = {{whole(), whole_box_}, 1, 0};
-    const Vec3 inverse(1 / d.x, 1 / d.y, 1 / d.z);
     while (count > 0) {
       const Waiting& waiting = stack[--count];
       const Cell cell = waiting.half.cell;
@@ -283,7 +282,7 @@ class Parametric final : public Primitive<Parametric> {
           missed = !(o[k] >= from && o[k] <= to);
           continue;
         }
-        double r0 = (from - o[k]) * inverse[k], r1 = (to - o[k]) * inverse[k];
+        double r0 = (from - o[k]) / d[k], r1 = (to - o[k]) / d[k];
         if (r0 > r1) std::swap(r0, r1);
         missed = r0 > end || r1 < begin || r0 > best || r0 > high || r1 < low || std::isnan(r0) || std::isnan(r1);
         low = std::max(low, r0), high = std::min(high, r1);

@@ -36,6 +36,7 @@ std::string font_path(const scene::Text& text) {
 std::vector<PlacedGlyph> layout(const scene::Text& text) {
   const auto font = TrueTypeFont::open(font_path(text));
   std::vector<PlacedGlyph> result;
+  if (text.place) return {{font->character(text.text.front(), text.unicode), *text.place}};
   Vec2 pen(0, 0);
   std::uint16_t previous = 0;
   for (std::size_t i = 0; i < text.text.size(); ++i) {
@@ -56,12 +57,12 @@ std::vector<PlacedGlyph> layout(const scene::Text& text) {
   return result;
 }
 
-Box3 box_of(const PlacedGlyph& g, double thickness) {
+Box3 box_of(const Glyph& g, const Vec2& origin, double thickness) {
   // A negative thickness leaves the caps, but no sides between them.
   const double near = std::min(-1e-6, thickness + 1e-6), far = std::max(-1e-6, thickness + 1e-6);
-  return Box3({g.origin.x + g.glyph->x_min, g.origin.y + g.glyph->y_min, near},
-              {g.origin.x + g.glyph->x_max, g.origin.y + g.glyph->y_max, far});
+  return Box3({origin.x + g.x_min, origin.y + g.y_min, near}, {origin.x + g.x_max, origin.y + g.y_max, far});
 }
+Box3 box_of(const PlacedGlyph& g, double thickness) { return box_of(*g.glyph, g.origin, thickness); }
 
 // In the space of the outlines.
 Box3 glyphs_box(const scene::Text& text) {
@@ -277,5 +278,18 @@ Box3 text_box(const scene::Text& text) {
   }
   return result;
 }
+
+std::vector<scene::Text> letters_of(const scene::Text& text) {
+  std::vector<scene::Text> letters;
+  std::size_t next = 0;
+  for (const PlacedGlyph& g : layout(text)) {
+    letters.push_back(text);
+    letters.back().text = text.text.substr(next++, 1);
+    letters.back().place = g.origin;
+  }
+  return letters;
+}
+
+Box3 letter_box(const scene::Text& letter) { return box_of(*layout(letter).front().glyph, Vec2(0), letter.thickness); }
 
 }  // namespace verisim::shapes

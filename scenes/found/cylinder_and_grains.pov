@@ -1,0 +1,9 @@
+// A camera of cylinder 1 before a backdrop of grains of 3e-15: the last bit of each ray shows.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { cylinder 1 location <1, 2, -6> angle 125 look_at 0 }
+box {
+  -10, 10
+  pigment { function { mod(abs(x + y + z) * 3.3e14, 1) > 0.5 } color_map { [0 rgb 0.2] [1 rgb 0.8] } }
+  finish { ambient 1 diffuse 0 }
+}

@@ -33,7 +33,8 @@ unsigned before(const float* near, const NodeRays& rays, const double* limit) {
   return bits(FloatPacket::load(near) <= node_limits(rays, load(limit)));
 }
 
-void plane(const Vec3& normal, double distance, const RayBatch& rays, int first, double* t) {
+unsigned plane(const Vec3& normal, double distance, const RayBatch& rays, int first, double t_min, const double* limit,
+               double* t) {
   const double nx = normal.x, ny = normal.y, nz = normal.z;
   for (int i = 0; i < 8; ++i) {
     const int r = first + i;
@@ -41,6 +42,8 @@ void plane(const Vec3& normal, double distance, const RayBatch& rays, int first,
     const double along = (distance - (nx * rays.origin.x[r] + ny * rays.origin.y[r] + nz * rays.origin.z[r])) / slope;
     t[i] = shapes::meets_plane(slope, along) ? along : -1;
   }
+  const Packet met = load(t);
+  return bits((met >= t_min) & (met < load(limit)));
 }
 
 const BatchKernels kKernels = {node_rays, children, before, plane};

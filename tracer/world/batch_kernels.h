@@ -14,8 +14,10 @@ struct BatchKernels {
   void (*children)(const BoxNode& node, const NodeRays& rays, const double* limit, ChildrenMet& met);
   // The lanes whose limits lie behind these places.
   unsigned (*before)(const float* near, const NodeRays& rays, const double* limit);
-  // The distances at which they meet a plane (shapes/plane.h); -1 where they do not.
-  void (*plane)(const Vec3& normal, double distance, const RayBatch& rays, int first, double* t);
+  // The distances at which they meet a plane (shapes/plane.h), -1 where they do not; the lanes where that is from t_min
+  // on and before their limits.
+  unsigned (*plane)(const Vec3& normal, double distance, const RayBatch& rays, int first, double t_min,
+                    const double* limit, double* t);
 };
 
 // Those of the best instruction set of this machine.

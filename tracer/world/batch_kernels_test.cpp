@@ -35,17 +35,22 @@ class BatchKernel : public testing::TestWithParam<int> {
 TEST_P(BatchKernel, PlanesAreMetAsByOneRay) {
   const Vec3 normal = normalize(Vec3(1, 2, -0.5));
   int met = 0;
+  unsigned reached = 0;
   for (int first = 3; first < 33; first += RayPacket::kCount) {
-    alignas(64) double t[RayPacket::kCount];
-    kernels->plane(normal, 0.7, *rays, first, t);
+    alignas(64) double t[RayPacket::kCount], limit[RayPacket::kCount];
+    for (int k = 0; k < RayPacket::kCount; ++k) limit[k] = 0.5 + k;
+    const unsigned within = kernels->plane(normal, 0.7, *rays, first, 0.3, limit, t);
     for (int k = 0; k < RayPacket::kCount; ++k) {
       const double slope = dot(normal, rays->direction.at(first + k)),
                    along = (0.7 - dot(normal, rays->origin.at(first + k))) / slope;
       EXPECT_EQ(t[k], shapes::meets_plane(slope, along) ? along : -1) << first + k;
-      met += t[k] > 0;
+      EXPECT_EQ(within >> k & 1, t[k] >= 0.3 && t[k] < limit[k] ? 1u : 0u) << first + k;
+      met += t[k] > 0, reached += within >> k & 1;
     }
   }
   EXPECT_GT(met, 5);
+  EXPECT_GT(reached, 2);
+  EXPECT_LT(reached, static_cast<unsigned>(met));
 }
 
 TEST_P(BatchKernel, BoxesAreMetByThoseRaysThatMeetThem) {

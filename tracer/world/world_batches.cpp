@@ -88,37 +88,37 @@ void prefetch(const BoxNode& node) {
 template <class Ahead, class Visit>
 void walk(const Bvh& tree, const EntryPoints* entry, const RayPacket& rays, double t_min, const double* limit,
           const unsigned& open, const Ahead& ahead, Visit&& visit) {
-  struct Item {
-    std::uint32_t child;
-    unsigned lanes;
-    float near;
-  } stack[Bvh::kStackSize];
+  // A child and its lanes are one number: two that are stored apart and moved together would have to be waited for.
+  std::uint64_t stack[Bvh::kStackSize];
+  float nearest[Bvh::kStackSize];
+  const auto child_of = [](std::uint64_t item) { return static_cast<std::uint32_t>(item); };
+  const auto lanes_of = [](std::uint64_t item) { return static_cast<unsigned>(item >> 32); };
   int size = 0;
   const NodeRays there = rays_in(tree, rays, t_min);
   LoneRays lone(there);
   ChildrenMet met;
   // Among those above `first`, the nearest on top.
-  const auto put = [&](const Item& item, int first) {
+  const auto put = [&](std::uint32_t child, unsigned lanes, float near, int first) {
     int at = size++;
-    for (; at > first && stack[at - 1].near < item.near; --at) stack[at] = stack[at - 1];
-    stack[at] = item;
-    if (item.child & BoxNode::kLeaf)
-      ahead.soon(BoxNode::leaf_first(item.child));
+    for (; at > first && nearest[at - 1] < near; --at) stack[at] = stack[at - 1], nearest[at] = nearest[at - 1];
+    stack[at] = std::uint64_t{lanes} << 32 | child, nearest[at] = near;
+    if (child & BoxNode::kLeaf)
+      ahead.soon(BoxNode::leaf_first(child));
     else
-      prefetch(tree.node(item.child));
+      prefetch(tree.node(child));
   };
   const auto expand = [&](const BoxNode& node, unsigned lanes) {
     const int first = size;
     if (is_alone(lanes)) {
       const int lane = std::countr_zero(lanes);
       alignas(16) float near[4];
-      each_lane(lone.test(node, lane, limit[lane], near), [&](int k) { put({node.child[k], lanes, near[k]}, first); });
+      each_lane(lone.test(node, lane, limit[lane], near), [&](int k) { put(node.child[k], lanes, near[k], first); });
       return;
     }
     batch_kernels().children(node, there, limit, met);
     for (int k = 0; k < 4; ++k)
       if (const unsigned here = met.lanes[k] & lanes; here != 0)
-        put({node.child[k], here, met.near[k][std::countr_zero(here)]}, first);
+        put(node.child[k], here, met.near[k][std::countr_zero(here)], first);
   };
   if (entry) {
     for (int n = entry->count - 1; n >= 0; --n) expand(entry->nodes[n], open);
@@ -126,18 +126,20 @@ void walk(const Bvh& tree, const EntryPoints* entry, const RayPacket& rays, doub
     expand(tree.node(0), open);
   }
   while (size > 0) {
-    const Item item = stack[--size];
-    const unsigned lanes = item.lanes & open;
+    const std::uint64_t item = stack[--size];
+    const std::uint32_t child = child_of(item);
+    const unsigned lanes = lanes_of(item) & open;
     if (lanes == 0) continue;
-    if (is_alone(item.lanes)) {
+    if (is_alone(lanes_of(item))) {
       const int lane = std::countr_zero(lanes);
-      if (!(item.near <= lone.far(lane, limit[lane]))) continue;
+      if (!(nearest[size] <= lone.far(lane, limit[lane]))) continue;
     }
-    if (size > 0 && stack[size - 1].child & BoxNode::kLeaf) ahead.next(BoxNode::leaf_first(stack[size - 1].child));
-    if (item.child & BoxNode::kLeaf)
-      visit(BoxNode::leaf_first(item.child), lanes);
+    if (size > 0 && child_of(stack[size - 1]) & BoxNode::kLeaf)
+      ahead.next(BoxNode::leaf_first(child_of(stack[size - 1])));
+    if (child & BoxNode::kLeaf)
+      visit(BoxNode::leaf_first(child), lanes);
     else
-      expand(tree.node(item.child), lanes);
+      expand(tree.node(child), lanes);
   }
 }
 
@@ -240,9 +242,9 @@ class World::BatchSearch {
   }
   void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
     alignas(64) double t[kLanes];
-    batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
-    each_lane(rays_.active, [&](int k) {
-      if (!(t[k] >= t_min_ && t[k] < limit_[k])) return;
+    const unsigned met =
+        batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t_min_, limit_, t);
+    each_lane(met & rays_.active, [&](int k) {
       const Ray ray = rays_.at(k);
       take(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0}, index);
     });
@@ -368,10 +370,7 @@ class World::BatchOcclusion {
 
   void test_plane(const Plane& plane) {
     alignas(64) double t[kLanes];
-    batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
-    unsigned blocked = 0;
-    for (int k = 0; k < kLanes; ++k) blocked |= t[k] >= above_ && t[k] < t_max_[k] ? 1u << k : 0;
-    open_ &= ~blocked;
+    open_ &= ~batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, above_, t_max_, t);
   }
   bool blocks_partly(const Shape& shape, int k) const {
     shapes::ScratchHits hits;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include <boost/container/small_vector.hpp>
 #include <boost/container/static_vector.hpp>
 
 namespace verisim::shading {
@@ -188,25 +187,29 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
   // Those that have met a transparent surface.
   struct Way {
     int index;
-    RayState ray;
+    Ray ray;
+    InteriorRange interiors;
+    bool hollow;
     double distance;
     RandomSource random;
   };
-  boost::container::small_vector<Way, 8> ways, onward;
+  RowOf<Way> ways;
+  RayState ray = eye;  // all that ways do not have of their own
   const bool draws = scene_.effects && scene_.effects->interior_draws_count;
+  // True: there is more of the way beyond the surface.
   const auto meet = [&](Way& way, const shapes::Hit& hit) {
     const ShadowQuery query{eye, batch.lit[way.index], light};
     Rgb& color = batch.light[way.index];
     if (draws) random_ = way.random;
-    if (filter_through(query, way.ray, hit, color)) return;
-    shadow_volumes(query, way.ray, hit.t, true, color);
-    way.ray.interiors = crossed(way.ray.interiors, hit.shape->surface->interior);
-    way.ray.hollow = all_hollow(way.ray.interiors);
-    way.ray.ray.origin = hit.point;
+    ray.ray = way.ray, ray.interiors = way.interiors, ray.hollow = way.hollow;
+    if (filter_through(query, ray, hit, color)) return false;
+    shadow_volumes(query, ray, hit.t, true, color);
+    way.interiors = crossed(way.interiors, hit.shape->surface->interior);
+    way.hollow = all_hollow(way.interiors);
+    way.ray.origin = hit.point;
     way.distance -= hit.t;
-    if (!(way.distance > 2 * kShadowTolerance)) return;
     if (draws) way.random = random_;
-    onward.push_back(way);
+    return way.distance > 2 * kShadowTolerance;
   };
   Travellers open;
   for (int k = 0; k < count; ++k) open.add(index[k], batch.rays.at(index[k]), batch.distance[index[k]]);
@@ -225,21 +228,23 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
       batch.light[i] = Rgb();
       continue;
     }
-    Way way{i, eye, batch.distance[i], random_};
-    way.ray.ray = open.rays.at(k);
+    Way& way = ways.emplace_back(Way{i, open.rays.at(k), eye.interiors, eye.hollow, batch.distance[i], random_});
     if (draws) way.random.begin(batch.key[i]);
-    meet(way, hits[k]);
+    if (!meet(way, hits[k])) ways.pop_back();
   }
-  while (!onward.empty()) {
+  while (!ways.empty()) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
-    ways.swap(onward);
-    onward.clear();
     open.count = 0;
-    for (const Way& way : ways) open.add(way.index, way.ray.ray, way.distance);
+    for (const Way& way : ways) open.add(way.index, way.ray, way.distance);
     scene_.world.intersect_batch(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits,
                                  found, open.limit);
-    for (int k = 0; k < open.count; ++k)
-      if (found[k]) meet(ways[static_cast<std::size_t>(k)], hits[k]);
+    std::size_t onward = 0;  // those that go on are moved up
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      if (!found[k] || !meet(ways[k], hits[k])) continue;
+      if (onward != k) ways[onward] = ways[k];
+      ++onward;
+    }
+    ways.erase(ways.begin() + static_cast<std::ptrdiff_t>(onward), ways.end());
   }
 }
 

@@ -11,60 +11,6 @@
 namespace verisim::textures {
 namespace {
 
-struct MetricAny {
-  double exponent;
-  double operator()(double d) const { return std::pow(std::fabs(d), exponent); }
-};
-
-struct Nearest {
-  double s[3];
-  Vec3 point;  // the nearest one
-};
-
-// The three smallest sums over the axes of metric(difference), for metrics that are seldom used. `bounded`: the metric
-// grows with the distance, so cells can be skipped.
-template <class Metric>
-Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
-  const NoiseTables& t = noise_tables();
-  const std::int64_t cell[3] = {floor_to_int(p.x - kEpsilon), floor_to_int(p.y - kEpsilon),
-                                floor_to_int(p.z - kEpsilon)};
-  const Vec3 f(p.x - static_cast<double>(cell[0]), p.y - static_cast<double>(cell[1]),
-               p.z - static_cast<double>(cell[2]));
-  // What the gap to the cells at offset -2 .. 2 alone contributes, and the first step of the hash.
-  double gap[3][5];
-  for (int k = 0; k < 3; ++k) {
-    gap[k][0] = bounded ? metric(f[k] + 1) : 0;
-    gap[k][1] = bounded ? metric(f[k]) : 0;
-    gap[k][2] = 0;
-    gap[k][3] = bounded ? metric(1 - f[k]) : 0;
-    gap[k][4] = bounded ? metric(2 - f[k]) : 0;
-  }
-  int first_hash[5];
-  for (int i = 0; i < 5; ++i) first_hash[i] = t.hash[(cell[0] + i - 2) & 4095];
-
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Nearest best{{kFar, kFar, kFar}, p};
-  for (const CellOffset& o : kCrackleOffsets) {
-    if (bounded && gap[0][o.x + 2] + gap[1][o.y + 2] + gap[2][o.z + 2] > best.s[2]) continue;
-    const int h = t.hash[t.hash[first_hash[o.x + 2] ^ ((cell[1] + o.y) & 4095)] ^ ((cell[2] + o.z) & 4095)];
-    const double x = o.x + random_value(t, h), y = o.y + random_value(t, h + 1), z = o.z + random_value(t, h + 2);
-    const double s = metric(x - f.x) + metric(y - f.y) + metric(z - f.z);
-    if (s < best.s[0]) {
-      best.s[2] = best.s[1];
-      best.s[1] = best.s[0];
-      best.s[0] = s;
-      best.point = Vec3(x, y, z);
-    } else if (s < best.s[1]) {
-      best.s[2] = best.s[1];
-      best.s[1] = s;
-    } else if (s < best.s[2]) {
-      best.s[2] = s;
-    }
-  }
-  best.point += Vec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]), static_cast<double>(cell[2]));
-  return best;
-}
-
 const CrackleKernels& best_kernels = crackle_kernels();
 
 // A point's cell and its place within.
@@ -76,6 +22,62 @@ CellPlace locate(const Vec3& p) {
   const std::int64_t a = floor_to_int(p.x - kEpsilon), b = floor_to_int(p.y - kEpsilon),
                      c = floor_to_int(p.z - kEpsilon);
   return {a, b, c, Vec3(p.x - static_cast<double>(a), p.y - static_cast<double>(b), p.z - static_cast<double>(c))};
+}
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+struct MetricAny {
+  double exponent;
+  double operator()(double d) const { return std::pow(std::fabs(d), exponent); }
+  // Above this sum of squares no point is among the nearest three. With q = sum d^2, the sum of |d|^m lies between
+  // q^(m/2) and 3^(1 - m/2) q^(m/2); so no point counts whose q is above that of the third by q times 3^|1 - 2/m|.
+  double largest_square(const CrackleCell& cell, const Vec3& place) const {
+    constexpr double kMargin = 1e-9;  // far above the rounding of powers, as long as these are usual
+    if (!(exponent >= 0.01 && exponent <= 64)) return kNoLimit;
+    return best_kernels.squares(cell, place).s[2] * std::pow(3.0, std::fabs(1 - 2 / exponent)) * (1 + kMargin);
+  }
+};
+// Of metric 1, as facets have it: differences keep their signs.
+struct SignedSums {
+  double operator()(double d) const { return d; }
+  double largest_square(const CrackleCell&, const Vec3&) const { return kNoLimit; }
+};
+
+struct Nearest {
+  double s[3];
+  Vec3 point;  // the nearest one
+};
+
+// The three smallest sums over the axes of metric(difference), for metrics that are seldom used.
+template <class Metric>
+Nearest nearest_three(const Vec3& p, Metric metric) {
+  const CellPlace at = locate(p);
+  const CrackleCell& cell = crackle_cell(CrackleMetric::any, at.a, at.b, at.c);
+  const double px = at.place.x, py = at.place.y, pz = at.place.z;
+  alignas(64) double squares[CrackleCell::kMax];
+  for (int i = 0; i < CrackleCell::kMax; ++i) {
+    const double x = cell.x[i] - px, y = cell.y[i] - py, z = cell.z[i] - pz;
+    squares[i] = x * x + y * y + z * z;
+  }
+  const double largest = metric.largest_square(cell, at.place);
+  Nearest best{{kNoLimit, kNoLimit, kNoLimit}, p};
+  for (std::size_t i = 0; i < kCrackleOffsets.size(); ++i) {
+    if (squares[i] > largest) continue;
+    const double s = metric(cell.x[i] - px) + metric(cell.y[i] - py) + metric(cell.z[i] - pz);
+    if (s < best.s[0]) {
+      best.s[2] = best.s[1];
+      best.s[1] = best.s[0];
+      best.s[0] = s;
+      best.point = Vec3(cell.x[i], cell.y[i], cell.z[i]);
+    } else if (s < best.s[1]) {
+      best.s[2] = best.s[1];
+      best.s[1] = s;
+    } else if (s < best.s[2]) {
+      best.s[2] = s;
+    }
+  }
+  best.point += Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
+  return best;
 }
 
 // The nearest of the random points by sums of squares.
@@ -211,7 +213,7 @@ void crackle_batch(const CrackleData& data, int noise_generator, int count, cons
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
   const scene::CrackleParams& c = data.p;
   if (c.solid) {
-    const Vec3 nearest = c.metric == 2 ? nearest_point(p) : nearest_three(p, MetricAny{c.metric}, c.metric > 0).point;
+    const Vec3 nearest = c.metric == 2 ? nearest_point(p) : nearest_three(p, MetricAny{c.metric}).point;
     return clamp01(noise(nearest, noise_generator));
   }
   NearestThree n;
@@ -221,7 +223,7 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
         crackle_cell(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, at.a, at.b, at.c);
     n = c.metric == 2 ? best_kernels.squares(cell, at.place) : best_kernels.sums(cell, at.place);
   } else {
-    const Nearest nearest = nearest_three(p, MetricAny{c.metric}, c.metric > 0);
+    const Nearest nearest = nearest_three(p, MetricAny{c.metric});
     n = {{nearest.s[0], nearest.s[1], nearest.s[2]}};
   }
   return in_form(data, n.s[0], n.s[1], n.s[2]);
@@ -229,11 +231,8 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
 
 Vec3 nearest_facet_point(const Vec3& p, double metric) {
   if (metric == 2) return nearest_point(p);
-  if (metric == 1)
-    return nearest_three(
-               p, [](double d) { return d; }, false)
-        .point;
-  return nearest_three(p, MetricAny{metric}, metric > 0).point;
+  if (metric == 1) return nearest_three(p, SignedSums{}).point;
+  return nearest_three(p, MetricAny{metric}).point;
 }
 
 double formulas::crackle(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {

@@ -21,6 +21,10 @@ void fill(CrackleCell& cell, CrackleMetric metric, std::int64_t a, std::int64_t 
   constexpr double kFar = 1e30;
   for (int i = 81; i < CrackleCell::kMax; ++i) all.x[i] = all.y[i] = all.z[i] = kFar;
   all.count = CrackleCell::kMax;
+  if (metric == CrackleMetric::any) {
+    cell = all;
+    return;
+  }
 
   // A point that is farther from the whole cell than three others are from any place in it is never among the nearest
   // three. Places may lie beyond the cell's faces by the epsilon of POV-Ray's floor.
@@ -44,7 +48,7 @@ class CellMemory {
  public:
   const CrackleCell& get(CrackleMetric metric, std::int64_t a, std::int64_t b, std::int64_t c) {
     const auto low = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & 4095; };
-    const std::uint64_t key = 1 | static_cast<std::uint64_t>(metric) << 1 | low(a) << 2 | low(b) << 14 | low(c) << 26;
+    const std::uint64_t key = 1 | static_cast<std::uint64_t>(metric) << 1 | low(a) << 3 | low(b) << 15 | low(c) << 27;
     const std::size_t slot = key * 0x9e3779b97f4a7c15 >> 55;
     if (keys_[slot] != key) {
       fill(cells_[slot], metric, a, b, c);

@@ -15,7 +15,8 @@ struct alignas(64) CrackleCell {
   int count;
 };
 
-enum class CrackleMetric { squares, sums };  // of metric 2 and of metric 1
+// Of metric 2, of metric 1, and of any other, for which no point is left out.
+enum class CrackleMetric { squares, sums, any };
 
 // The cell whose lower corner is (a, b, c), from the memory of the calling thread.
 const CrackleCell& crackle_cell(CrackleMetric metric, std::int64_t a, std::int64_t b, std::int64_t c);

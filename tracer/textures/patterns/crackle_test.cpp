@@ -9,6 +9,7 @@
 #include "tracer/simd/instruction_sets.h"
 #include "tracer/textures/patterns/crackle_kernels.h"
 #include "tracer/textures/patterns/crackle_offsets.h"
+#include "tracer/textures/patterns/formulas.h"
 
 namespace verisim::textures {
 namespace {
@@ -37,6 +38,35 @@ TEST(Crackle, RemembersEveryPointThatCanBeAmongTheNearestThree) {
         const NearestThree nearest =
             metric == CrackleMetric::squares ? kernels.squares(cell, place) : kernels.sums(cell, place);
         for (int k = 0; k < 3; ++k) ASSERT_EQ(nearest.s[k], all[k]) << "instruction set " << set;
+      }
+    }
+  }
+}
+
+// Points of other metrics that are passed over because of their squares are never among the nearest three.
+TEST(Crackle, OfAnyMetricIsWhatAPlainSearchFinds) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-40, 40);
+  const NoiseTables& t = noise_tables();
+  for (const double metric : {0.3, 0.5, 0.9, 1.5, 1.99, 2.01, 2.5, 3.0, 7.0, 30.0, 64.0, 100.0, -1.0}) {
+    CrackleData data{};
+    data.p.metric = metric;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p(place(random), place(random), place(random));
+      const double cell[3] = {std::floor(p.x), std::floor(p.y), std::floor(p.z)};
+      std::vector<double> all;
+      for (const CellOffset& o : kCrackleOffsets) {
+        const Vec3 random_point = Vec3(o.x, o.y, o.z) + cell_point(t, floor_to_int(p.x) + o.x, floor_to_int(p.y) + o.y,
+                                                                   floor_to_int(p.z) + o.z);
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += std::pow(std::fabs(random_point[k] - (p[k] - cell[k])), metric);
+        all.push_back(sum);
+      }
+      std::partial_sort(all.begin(), all.begin() + 3, all.end());
+      for (int k = 0; k < 3; ++k) {
+        for (int other = 0; other < 3; ++other) data.p.form[other] = other == k ? 0.25 : 0;
+        const double expected = std::clamp(0.25 * std::pow(all[k], 1 / metric), 0.0, 1.0);
+        ASSERT_EQ(crackle(data, 2, p), expected) << "metric " << metric << ", the nearest but " << k;
       }
     }
   }

@@ -34,23 +34,25 @@ void sort_keys(std::vector<std::uint64_t>& keys) {
   }
 }
 
-// The box of several boxes: the upper corner is the binary32 sum of corner and length.
+// The box of several boxes: the upper corner is a sum of corner and length in double precision.
 class Union {
  public:
   void add(const Bounds& b) {
     for (std::size_t i = 0; i < 3; ++i) {
       low_[i] = std::min(low_[i], b.low[i]);
-      high_[i] = std::max(high_[i], b.low[i] + b.size[i]);
+      high_[i] = std::max(high_[i], static_cast<double>(b.low[i]) + static_cast<double>(b.size[i]));
     }
   }
   Bounds bounds() const {
     Bounds b;
-    for (std::size_t i = 0; i < 3; ++i) b.low[i] = low_[i], b.size[i] = high_[i] - low_[i];
+    for (std::size_t i = 0; i < 3; ++i)
+      b.low[i] = low_[i], b.size[i] = static_cast<float>(high_[i] - static_cast<double>(low_[i]));
     return b;
   }
 
  private:
-  float low_[3] = {kEmptyLimit, kEmptyLimit, kEmptyLimit}, high_[3] = {-kEmptyLimit, -kEmptyLimit, -kEmptyLimit};
+  float low_[3] = {kEmptyLimit, kEmptyLimit, kEmptyLimit};
+  double high_[3] = {-kEmptyLimit, -kEmptyLimit, -kEmptyLimit};
 };
 
 }  // namespace
@@ -214,7 +216,9 @@ Hierarchy::Hierarchy(std::span<const Item> items) {
       top.push_back({nodes_[child].bounds, child});
     }
   }
-  if (!top.empty()) root_ = add_node(top).node;
+  if (top.empty()) return;
+  root_ = add_node(top).node;
+  nodes_[root_].infinite = !infinite.empty();
 }
 
 }  // namespace verisim::accel

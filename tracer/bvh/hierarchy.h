@@ -34,8 +34,10 @@ class Hierarchy {
   template <class Visit>
   void search(const Ray& ray, double best, Visit&& visit) const {
     Queue queue;
-    if (!nodes_.empty()) queue.push({kFirst, root_});
     const Slabs slabs(ray);
+    double root_key;
+    if (!nodes_.empty() && (nodes_[root_].infinite || slabs.enters(nodes_[root_].bounds, root_key)))
+      queue.push({kFirst, root_});
     while (!queue.empty()) {
       const Waiting next = queue.pop();
       if (next.key > best) return;

@@ -332,9 +332,12 @@ const Hierarchy& World::Impl::hierarchy() const {
 }
 
 bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
-  // Where a ray runs through the box for a while, rounding cannot refuse it.
+  // Where a ray runs through the inside of the box for a while, rounding cannot refuse it. Along a face it can: boxes
+  // around this one may end a little before it.
+  const double slack = kCoincident * length(ray.origin) + 1e-8;
+  const Box3 inside(entries[index].box.min + Vec3(slack), entries[index].box.max - Vec3(slack));
   double near = -HUGE_VAL, far = HUGE_VAL;
-  if (clip_to_box(ray, entries[index].box, near, far) &&
+  if (!is_empty(inside) && clip_to_box(ray, inside, near, far) &&
       far - near > kCoincident * (std::fabs(near) + length(ray.origin)))
     return true;
   return hierarchy().reaches(ray, index);

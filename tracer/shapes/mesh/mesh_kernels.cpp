@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/shapes/mesh/mesh_kernels.cpp"
@@ -29,9 +30,8 @@ struct RaysOfTriangle {
   HWY_INLINE Packet direction(int axis) const { return load(d[axis]); }
 };
 
-constexpr int kAlone = 2;  // so many rays cost less one by one
-
-// The search of eight rays in one mesh: they walk its tree together as long as enough of them meet the same nodes.
+// The search of eight rays in one mesh: they walk its tree together as long as two meet the same nodes, and from there
+// one by one, by the formula for one ray.
 class Search {
  public:
   HWY_INLINE Search(const MeshGeometry& mesh, unsigned active, double t_min, const double* t_max, bool any,
@@ -64,8 +64,8 @@ class Search {
       const unsigned lanes = next.lanes & open_ & bits(FloatPacket::load(next.near) <= FloatPacket::load(far_));
       if (lanes == 0) continue;
       const std::uint32_t child = next.child;
-      if (std::popcount(lanes) <= kAlone) {
-        for (unsigned rest = lanes; rest != 0; rest &= rest - 1) walk_alone(child, std::countr_zero(rest));
+      if ((lanes & (lanes - 1)) == 0) {
+        go_alone(child, std::countr_zero(lanes));
       } else if (child & BoxNode::kLeaf) {
         leaf(child, lanes);
       } else {
@@ -92,22 +92,45 @@ class Search {
   HWY_INLINE void expand(const BoxNode& node, unsigned lanes) {
     accel::ChildrenMet met;
     test_children(node, there_, FloatPacket::load(far_), met);
-    int order[4], count = 0;
-    float near[4];
+    Order order;
     for (int k = 0; k < 4; ++k) {
       met.lanes[k] &= lanes;
-      if (met.lanes[k] == 0) continue;
-      const float distance = met.near[k][std::countr_zero(met.lanes[k])];
+      if (met.lanes[k] != 0) order.add(k, met.near[k][std::countr_zero(met.lanes[k])]);
+    }
+    for (int i = 0; i < order.count; ++i) {
+      const int k = order.child[i];
+      push(node.child[k], met.lanes[k], FloatPacket::load(met.near[k]));
+    }
+  }
+  // The same for one lane.
+  HWY_INLINE void expand_alone(const BoxNode& node, int lane) {
+    alignas(16) float near[4];
+    Order order;
+    for (unsigned met = lone_ray(lane).test(node, far_[lane], near); met != 0; met &= met - 1)
+      order.add(std::countr_zero(met), near[std::countr_zero(met)]);
+    for (int i = 0; i < order.count; ++i) push(node.child[order.child[i]], 1u << lane, FloatPacket(order.near[i]));
+  }
+  // Children of a node, the farthest first.
+  struct Order {
+    int child[4], count = 0;
+    float near[4];
+    HWY_INLINE void add(int k, float distance) {
       int at = count++;
-      for (; at > 0 && near[at - 1] < distance; --at) near[at] = near[at - 1], order[at] = order[at - 1];
-      near[at] = distance, order[at] = k;
+      for (; at > 0 && near[at - 1] < distance; --at) near[at] = near[at - 1], child[at] = child[at - 1];
+      near[at] = distance, child[at] = k;
     }
-    for (int i = 0; i < count; ++i) {
-      Waiting& w = stack_[size_++];
-      const int k = order[i];
-      store(w.near, FloatPacket::load(met.near[k]));
-      w.child = node.child[k], w.lanes = met.lanes[k];
-    }
+  };
+  HWY_INLINE void push(std::uint32_t child, unsigned lanes, const FloatPacket& near) {
+    Waiting& w = stack_[size_++];
+    store(w.near, near);
+    w.child = child, w.lanes = lanes;
+  }
+  // The ray of a lane that goes alone, made when it first does.
+  HWY_INLINE const accel::NodeRay& lone_ray(int lane) {
+    std::optional<accel::NodeRay>& ray = lone_[lane];
+    const auto at = [&](const accel::NodeRays::Lane* v) HWY_ATTR { return Vec3(v[0][lane], v[1][lane], v[2][lane]); };
+    if (!ray) ray.emplace(at(there_.origin), at(there_.inverse));
+    return *ray;
   }
 
   HWY_INLINE void leaf(std::uint32_t child, unsigned lanes) {
@@ -129,26 +152,18 @@ class Search {
     }
   }
 
-  HWY_ATTR void walk_alone(std::uint32_t child, int k) {
+  HWY_INLINE void go_alone(std::uint32_t child, int lane) {
+    if (!(child & BoxNode::kLeaf)) {
+      expand_alone(mesh_.tree().node(child), lane);
+      return;
+    }
     const LocalPacket& r = p_.rays;
-    const Vec3 origin(r.ox[k], r.oy[k], r.oz[k]), direction(r.dx[k], r.dy[k], r.dz[k]);
-    const auto limit = [&]() HWY_ATTR { return open_ >> k & 1 ? local_limit(k) : -HUGE_VAL; };
-    accel::EntryPoints entry;
-    BoxNode& node = entry.nodes[0];
-    node.clear();
-    for (int i = 0; i < 6; ++i) node.planes[i][0] = i < 3 ? -3e37f : 3e37f;  // met by every ray
-    node.child[0] = child;
-    entry.count = 1;
-    mesh_.tree().traverse_leaves(
-        {origin, direction}, MeshGeometry::kNearest, limit(),
-        [&](std::uint32_t first, std::uint32_t count, double) HWY_ATTR {
-          for (std::uint32_t i = first; i < first + count; ++i) {
-            const double t = mesh_.hit(i, origin, direction);
-            if (t >= 0) take(k, i, t);
-          }
-          return limit();
-        },
-        &entry);
+    const Vec3 origin(r.ox[lane], r.oy[lane], r.oz[lane]), direction(r.dx[lane], r.dy[lane], r.dz[lane]);
+    const std::uint32_t first = BoxNode::leaf_first(child), end = first + BoxNode::leaf_count(child);
+    for (std::uint32_t i = first; i < end && (open_ >> lane & 1); ++i) {
+      const double t = mesh_.hit(i, origin, direction);
+      if (t >= 0) take(lane, i, t);
+    }
   }
 
   // Lane k meets triangle i.
@@ -174,6 +189,7 @@ class Search {
   alignas(64) float far_[kLanes];
   Waiting stack_[accel::Bvh::kStackSize];
   int size_ = 0;
+  std::optional<accel::NodeRay> lone_[kLanes];
 };
 
 void meet(const MeshGeometry& mesh, const accel::EntryPoints* entry, unsigned active, double t_min, const double* t_max,

@@ -63,8 +63,8 @@ class Elements {
 struct Array {
   std::vector<int> sizes;
   Elements elements;
-  int type = 0;                 // type_key of the elements; 0: not known yet
-  int nesting = 1;              // 1 + that of the deepest array it contains
+  int type = 0;     // type_key of the elements; 0: not known yet
+  int nesting = 1;  // 1 + that of the deepest array it contains
 };
 
 // Assigned arrays are copies, all the way down.

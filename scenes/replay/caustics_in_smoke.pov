@@ -1,14 +1,14 @@
-// Photons in media: those of a spotlight, whose range cuts the way in pieces; packets that come to nothing on their way
-// draw no numbers, those that are still on the way to their target sample media as eyes do (spec 07 3.8).
+// Photons in media: packets that end before their target draw no numbers, those that are still on the way to it sample
+// media as eyes do, and gain their emission (spec 07 3.8).
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.04 media 60, 2 } }
+global_settings { assumed_gamma 1 photons { spacing 0.15 media 20, 2 } }
 camera { location <0, 2, -9> look_at <0, 1.6, 0> angle 40 }
-light_source { <-6, 9, -2> rgb 2 spotlight radius 9 falloff 11 point_at <0, 1.8, 0> photons { refraction on reflection on } }
+light_source { <-6, 9, -2> rgb 2 photons { refraction on reflection on } }
 plane { y, 0 pigment { rgb 0.5 } }
 box {
   <-4, 0.01, -3>, <4, 4.5, 3> hollow pigment { rgbt 1 }
   interior {
-    media { scattering { 1, 0.15 } intervals 3 }
+    media { scattering { 1, 0.15 } }
     media { emission <0.02, 0.01, 0> density { spherical scale 3 } }
   }
   photons { pass_through }

@@ -41,7 +41,8 @@ void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState&
   effects_.collect(tracer.interiors(ray.interiors), media);
   const std::size_t in_containers = media.size();
   for (const CompiledMedia* m : effects_.atmosphere_list()) media.push_back(m);
-  if (media.empty()) return;
+  // Media that only emit are looked at beside others alone.
+  if (std::ranges::all_of(media, [](const CompiledMedia* m) { return m->extinction == Rgb() && !m->scatters; })) return;
   MediaSpan attenuating{media.data(), media.size()};
 
   // Atmospheric media never receive photons, nor do media that only emit.
@@ -72,10 +73,12 @@ Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, co
   for (const MediaInterval& interval : intervals.all()) {
     double step = shot.sigma * (parallel ? 1.0 : path) * settings.media_factor;
     auto count = static_cast<long>(step > 0.0 ? std::min(interval.length / step, 1e9) : 0.0);
-    if (count > settings.media_count)
-      count = settings.media_count, step = interval.length / static_cast<double>(count);
+    if (count > settings.media_count) count = settings.media_count, step = interval.length / static_cast<double>(count);
     // Depth is measured where photons are left; of what leaves none on its way nothing is known.
-    if (count == 0) return Rgb(std::numeric_limits<float>::quiet_NaN());
+    if (count == 0) {
+      depth = Rgb(std::numeric_limits<float>::quiet_NaN());
+      continue;
+    }
     const double factor = parallel || path <= 0.0 ? step / shot.sigma : step / (shot.sigma * path);
     Rgb extinction;
     for (long j = 0; j < count; ++j) {

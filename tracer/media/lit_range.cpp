@@ -14,9 +14,8 @@ int roots(double a, double b, double c, double& t1, double& t2) {
   if (a == 0.0) return 0;
   const double d = b * b - a * c;
   if (d > kEpsilon) {
-    // Two divisions: the last bits decide whether an interval of hardly any length follows (spec 07 4.5).
-    const double s = std::sqrt(d) / a, middle = -b / a;
-    t1 = middle - s, t2 = middle + s;
+    const double s = std::sqrt(d);
+    t1 = (-b - s) / a, t2 = (-b + s) / a;
     if (t1 > t2) std::swap(t1, t2);
     return 2;
   }

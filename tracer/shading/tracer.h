@@ -89,9 +89,7 @@ class Tracer {
   class GatherScope {
    public:
     // Depth 0: not itself gathered for others.
-    GatherScope(Tracer& tracer, int depth) : tracer_(depth == 0 && tracer.in_order_ ? &tracer : nullptr) {
-      exchange();
-    }
+    GatherScope(Tracer& tracer, int depth) : tracer_(depth == 0 && tracer.in_order_ ? &tracer : nullptr) { exchange(); }
     ~GatherScope() { exchange(); }
     GatherScope(const GatherScope&) = delete;
     GatherScope& operator=(const GatherScope&) = delete;

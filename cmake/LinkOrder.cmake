@@ -1,5 +1,5 @@
 # The functions that scenes use stand beside each other in a program (tools/link_order): scattered over its twelve megabytes, they bring six of them
-# into memory, together two. verisim_link_order(TARGET); nothing where the linker does not know how.
+# into memory, together three. verisim_link_order(TARGET); nothing where the linker does not know how.
 string(APPEND CMAKE_CXX_FLAGS " -ffunction-sections")
 
 set(link_order_list ${PROJECT_SOURCE_DIR}/tools/link_order/functions.txt)

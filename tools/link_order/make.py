@@ -2,7 +2,7 @@
 """Which functions scenes use, most used first: tools/link_order/make.py PROGRAM [EXAMPLES] > tools/link_order/functions.txt
 
 The linker puts these functions beside each other (cmake/LinkOrder.cmake). The kernel maps a program's file by 64 kB around each address that is asked for:
-scattered over twelve megabytes, the one megabyte that a scene uses brings six into memory, together it brings two. Runs small pictures of some sixty scenes
+scattered over twelve megabytes, the one megabyte that a scene uses brings six into memory, together it brings three. Runs small pictures of some sixty scenes
 of povray-examples under valgrind's callgrind (two minutes). Names that no longer exist are harmless; made again with each release.
 """
 import collections

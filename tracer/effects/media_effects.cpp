@@ -21,7 +21,7 @@ class MediaSurroundings : public MediaEnvironment {
   std::span<const scene::LightSource* const> lights() override {
     sources_.clear(), lights_.clear();
     const auto add = [&](const shading::Light& light) {
-      if (!light.source().media_interaction || light.source().kind == scene::LightKind::shadowless) return;
+      if (!shines_on_media(light.source())) return;
       sources_.push_back(&light.source()), lights_.push_back(&light);
     };
     const shading::SceneData& scene = tracer_.scene();

@@ -9,9 +9,10 @@
 namespace verisim::global {
 namespace {
 
-class NoLight : public MediaEnvironment {
+// Lights cut the way of a packet in pieces, but what media scatter of their light is not added to it.
+class UnlitSurroundings : public MediaEnvironment {
  public:
-  explicit NoLight(shading::Tracer& tracer) : tracer_(tracer) {}
+  explicit UnlitSurroundings(shading::Tracer& tracer) : tracer_(tracer) {}
   double random() override { return tracer_.random().media(); }
   bool replay() const override { return tracer_.random().replay(); }
   std::span<const scene::LightSource* const> lights() override {
@@ -19,7 +20,7 @@ class NoLight : public MediaEnvironment {
     const shading::SceneData& scene = tracer_.scene();
     for (std::size_t i = 0; i < scene.global_lights(); ++i) {
       const scene::LightSource& source = scene.lights()[i].source();
-      if (source.media_interaction && source.kind != scene::LightKind::shadowless) sources_.push_back(&source);
+      if (shines_on_media(source)) sources_.push_back(&source);
     }
     return {sources_.data(), sources_.size()};
   }
@@ -56,7 +57,7 @@ void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState&
     passed = deposit_along(tracer, containers, ray.ray, length, path, shot, packet, stored);
     attenuating = attenuating.subspan(in_containers);
   }
-  NoLight environment(tracer);
+  UnlitSurroundings environment(tracer);
   const MediaResult result = integrate(attenuating, ray.ray, length, false, environment);
   packet = packet * (passed * result.transmittance) + result.emission;
 }
@@ -67,7 +68,7 @@ Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, co
   const scene::Photons& settings = effects_.scene().settings.photons;
   const bool parallel = shot.light->parallel;
   MediaIntervals intervals;
-  intervals.look_for_lights(NoLight(tracer).lights(), ray, length);
+  intervals.look_for_lights(UnlitSurroundings(tracer).lights(), ray, length);
   intervals.divide(MediaMixture(media), length);
   Rgb depth;
   for (const MediaInterval& interval : intervals.all()) {

@@ -48,6 +48,11 @@ struct NearbyPhotons {
   void add_scattered(const MediaMixture& mixture, const Rgb& scattering, const Vec3& view, Rgb& sum) const;
 };
 
+// Whether media scatter the light of this source.
+inline bool shines_on_media(const scene::LightSource& source) {
+  return source.media_interaction && source.kind != scene::LightKind::shadowless;
+}
+
 // What the integrator asks of the tracer.
 class MediaEnvironment {
  public:

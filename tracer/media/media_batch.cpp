@@ -100,8 +100,7 @@ void MediaBatch::divide(std::span<const MediaSegment> rays) {
   std::vector<const scene::LightSource*> sources;
   for (std::size_t i = 0; i < scene.global_lights(); ++i) {  // intervals hang on them even where nothing scatters
     const shading::Light& light = scene.lights()[i];
-    if (light.source().media_interaction && light.source().kind != scene::LightKind::shadowless)
-      workspace_.lights.push_back(&light), sources.push_back(&light.source());
+    if (shines_on_media(light.source())) workspace_.lights.push_back(&light), sources.push_back(&light.source());
   }
   workspace_.lit.assign(sources.size() * rays.size(), LitRange{0, 1.0, -1.0});
   const std::size_t each = 2 * static_cast<std::size_t>(mixture_.subintervals()) + 1;

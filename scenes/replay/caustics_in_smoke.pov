@@ -3,7 +3,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 photons { spacing 0.15 media 20, 2 } }
 camera { location <0, 2, -9> look_at <0, 1.6, 0> angle 40 }
-light_source { <-6, 9, -2> rgb 2 photons { refraction on reflection on } }
+light_source { <-6, 9, -2> rgb 0.5 photons { refraction on reflection on } }
 plane { y, 0 pigment { rgb 0.5 } }
 box {
   <-4, 0.01, -3>, <4, 4.5, 3> hollow pigment { rgbt 1 }

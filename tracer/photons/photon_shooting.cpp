@@ -77,9 +77,10 @@ class Turns {
   double phi_[kMax], theta_[kMax], phi_sine_[kMax], phi_cosine_[kMax], theta_sine_[kMax], theta_cosine_[kMax];
 };
 
-// How photons leave one point of a light: unit vectors towards the target and to the left of it.
+// How photons leave one point of a light: unit vectors towards the target and to the left of it, and the axis that they
+// are turned about, which is normalised once more, as POV-Ray does: its last bits show in photons that are reflected.
 struct Aim {
-  Vec3 origin, towards, left;
+  Vec3 origin, towards, left, axis;
 };
 
 Aim aim(const PhotonPair& pair, const Vec3& origin) {
@@ -88,6 +89,7 @@ Aim aim(const PhotonPair& pair, const Vec3& origin) {
   f.towards = pair.light->parallel ? pair.light->direction : normalize(pair.center - origin);
   const Vec3 up = std::fabs(std::fabs(f.towards.z) - 1.0) < 0.1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
   f.left = normalize(cross(f.towards, up));
+  f.axis = normalize(f.towards);
   return f;
 }
 
@@ -95,11 +97,11 @@ Aim aim(const PhotonPair& pair, const Vec3& origin) {
 Ray start_of(const PhotonPair& pair, const Aim& aim, const Turns& turns, int k) {
   if (pair.light->parallel) {
     const double back = dot(pair.center - aim.origin, aim.towards);
-    return {pair.center - back * aim.towards + rotate(aim.left * turns.away(k), aim.towards, turns.turn(k)),
+    return {pair.center - back * aim.towards + rotate(aim.left * turns.away(k), aim.axis, turns.turn(k)),
             aim.towards};
   }
   const Turn away = turns.turn_away(k);
-  return {aim.origin, rotate(aim.towards * away.cosine - aim.left * away.sine, aim.towards, turns.turn(k))};
+  return {aim.origin, rotate(aim.towards * away.cosine - aim.left * away.sine, aim.axis, turns.turn(k))};
 }
 
 }  // namespace

@@ -312,8 +312,42 @@ TEST(Modifiers, BoundsCutDownBoxesOfCopiesOfBlobsAndHeightFields) {
        {std::string("blob{sphere{0,2,2}"), std::string("height_field{function 9,9{x} scale 3")}) {
     EXPECT_EQ(scene::high_corner(object_of(shape + bound)->bounds).x, shape.starts_with("blob") ? 2 : 3);
     EXPECT_EQ(scene::high_corner(object_of("#declare A=" + shape + bound + " object{A}")->bounds).x, 1);
+    EXPECT_EQ(scene::high_corner(object_of("object{" + shape + "}" + bound)->bounds).x, 1);
   }
   EXPECT_EQ(scene::high_corner(object_of("sphere{0,2" + bound)->bounds).x, 1);
+}
+
+// As max_extent of POV-Ray has them: in binary32, with its roundings on the way.
+TEST(Modifiers, BoxesHaveAllBits) {
+  const std::pair<std::string, std::array<double, 6>> kProbes[] = {
+      {R"(union { sphere { <-2.63, -1.33, 2.81>, 2.34 } sphere { <0.02, 0.78, 2.18>, 1.8 } })",
+       {-4.96999979, -3.67000008, 0.379999995, 1.82000017, 2.57999992, 5.1500001}},
+      {"difference { sphere { <2.68, 2.3, 1.5>, 0.37 } sphere { <-2.74, -1.68, 0.9>, 2.4 } rotate <-31.8, "
+       "-62.7, 27.3> }",
+       {-0.714694977, 2.49574566, 1.84787595, 0.281836748, 3.45939827, 2.97275591}},
+      {"blob { threshold 0.3 sphere { <1, 1.94, 1>, 1.88, 1 } rotate <-60.9, -40.8, 60.6> translate "
+       "<-1.04, 1.48, 0.4> }",
+       {-4.55656099, 0.809972823, -3.02569079, 0.828809738, 6.6294837, 3.30244708}},
+      {"object { blob { threshold 0.3 sphere { <1, 1.94, 1>, 1.88, 1 } } rotate <-60.9, -40.8, 60.6> "
+       "translate <-1.04, 1.48, 0.4> }",
+       {-4.55656099, 0.809972823, -3.02569056, 0.828809738, 6.6294837, 3.30244732}},
+      {R"(blob { threshold 0.3 cylinder { <2.44, 2.51, -1.35>, <0.88, -2.71, -2.57>, 0.17, 1 } })",
+       {-2.57366538, -4.33366537, -6.1936655, 5.89366531, 4.13366556, 2.27366543}},
+      {R"(blob { threshold 0.3 sphere { <0.34, 0, 0.41>, 1.18, 1 scale <-2.57, 0.22, -0.81> } })",
+       {-3.90639997, -3.03259993, -3.36469984, 2.15879989, 3.03259993, 2.70050001}},
+      {R"(union { light_group { light_source { 3, rgb 1 } sphere { 0, 1 } } })",
+       {-1e+10, -1e+10, -1e+10, 1e+10, 1e+10, 1e+10}},
+      {R"(text { ttf "timrom.ttf" "Ab" 0.83, 0 rotate <-31.8, -62.7, 27.3> })",
+       {-0.757902563, -0.00971931033, -0.168239519, 0.513931453, 1.03209805, 1.40653348}},
+  };
+  for (const auto& [text, extents] : kProbes) {
+    const scene::Bounds bounds = object_of(text)->bounds;
+    const Vec3 low = scene::low_corner(bounds), high = scene::high_corner(bounds);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(low[i], static_cast<float>(extents[static_cast<std::size_t>(i)])) << text;
+      EXPECT_EQ(high[i], static_cast<float>(extents[static_cast<std::size_t>(i + 3)])) << text;
+    }
+  }
 }
 
 // The object that a light shows takes what the CSG object around it has, and is cut out of a solid.

@@ -54,6 +54,11 @@ ObjectRef shape_block(Parser& parser, const ReadShape& read_shape) {
   }
   object->place = block.place;
   parse_object_modifiers(parser, *object);
+  // These boxes are made after the modifiers, of which bounds do not cut them down, and none moves them from step to
+  // step (spec 03 2.2).
+  if (!object->copied &&
+      (object->as<std::shared_ptr<const scene::Blob>>() || object->as<std::shared_ptr<const scene::HeightField>>()))
+    scene::compute_bounds(*object);
   return object;
 }
 

@@ -20,6 +20,7 @@ Bounds unbounded() { return {}; }
 
 Vec3 low_corner(const Bounds& b) { return {b.low[0], b.low[1], b.low[2]}; }
 Vec3 high_corner(const Bounds& b) { return {b.low[0] + b.size[0], b.low[1] + b.size[1], b.low[2] + b.size[2]}; }
+Vec3 far_corner(const Bounds& b) { return low_corner(b) + Vec3(b.size[0], b.size[1], b.size[2]); }
 float volume(const Bounds& b) { return b.size[0] * b.size[1] * b.size[2]; }
 
 Bounds transformed(const Bounds& b, const Transform& t) {
@@ -39,7 +40,7 @@ Bounds transformed(const Bounds& b, const Transform& t) {
 }
 
 void BoxRange::clip(const Bounds& b) {
-  const Vec3 l = low_corner(b), h = high_corner(b);
+  const Vec3 l = low_corner(b), h = far_corner(b);
   for (int i = 0; i < 3; ++i) low[i] = std::max(low[i], l[i]), high[i] = std::min(high[i], h[i]);
 }
 
@@ -72,36 +73,44 @@ void clip_by_plane(const Object& object, BoxRange& range) {
   }
 }
 
+namespace {
+
+// A box that is being widened, in double.
+struct BoxUnion {
+  Vec3 low{kBoxLimit}, high{-kBoxLimit};
+  void extend(const Bounds& b) {
+    const Vec3 l = low_corner(b), h = far_corner(b);
+    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], l[i]), high[i] = std::max(high[i], h[i]);
+  }
+};
+
+BoxRange intersection_range(std::vector<ObjectPtr>& children) {
+  BoxRange box;
+  for (const ObjectPtr& child : children) {
+    if (child->as<Plane>())
+      clip_by_plane(*child, box);
+    else if (!is_complement(*child) && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>())
+      box.clip(child->bounds);
+  }
+  for (ObjectPtr& child : children) {
+    if (!child->as<Quadric>() || child->inverted) continue;
+    fit_quadric(const_cast<Object&>(*child), box);  // the tree is ours: see scene::copy
+    box.clip(child->bounds);
+  }
+  return box;
+}
+
+}  // namespace
+
 Bounds csg_bounds(Object& object) {
   BoxRange box;
-  if (object.as<LightGroup>()) {
-    box.low = Vec3(kBoxLimit), box.high = Vec3(-kBoxLimit);
-    for (const ObjectPtr& child : children_of(object)) {
-      if (child->as<LightSource>()) continue;
-      const Vec3 l = low_corner(child->bounds), h = high_corner(child->bounds);
-      for (int i = 0; i < 3; ++i) box.low[i] = std::min(box.low[i], l[i]), box.high[i] = std::max(box.high[i], h[i]);
-    }
+  const Csg* csg = object.as<Csg>();
+  if (csg && csg->kind == CsgKind::intersection) {
+    box = intersection_range(own_children(object));
   } else {
-    std::vector<ObjectPtr>& children = own_children(object);
-    if (object.as<Csg>()->kind == CsgKind::intersection) {
-      for (const ObjectPtr& child : children) {
-        if (child->as<Plane>())
-          clip_by_plane(*child, box);
-        else if (!is_complement(*child) && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>())
-          box.clip(child->bounds);
-      }
-      for (ObjectPtr& child : children) {
-        if (!child->as<Quadric>() || child->inverted) continue;
-        fit_quadric(const_cast<Object&>(*child), box);  // the tree is ours: see scene::copy
-        box.clip(child->bounds);
-      }
-    } else {
-      box.low = Vec3(kBoxLimit), box.high = Vec3(-kBoxLimit);
-      for (const ObjectPtr& child : children) {
-        const Vec3 l = low_corner(child->bounds), h = high_corner(child->bounds);
-        for (int i = 0; i < 3; ++i) box.low[i] = std::min(box.low[i], l[i]), box.high[i] = std::max(box.high[i], h[i]);
-      }
-    }
+    BoxUnion all;
+    for (const ObjectPtr& child : children_of(object)) all.extend(child->bounds);  // a light is everywhere
+    box = {all.low, all.high};
   }
   for (int i = 0; i < 3; ++i)
     if (box.high[i] < box.low[i] || box.high[i] - box.low[i] > kCriticalLength) return unbounded();
@@ -122,6 +131,14 @@ Bounds from_box(const Box3& box) {
   Vec3 low, high;
   for (int i = 0; i < 3; ++i) low[i] = std::max(box.min[i], -kBoxLimit), high[i] = std::min(box.max[i], kBoxLimit);
   return make_bounds(low, high);
+}
+
+// Of its letters, each moved to its place, turned as one.
+Bounds text_bounds(const Text& text) {
+  BoxUnion all;
+  for (const shapes::LetterBox& letter : shapes::letter_boxes(text))
+    all.extend(transformed(from_box(letter.box), Transform::translation({letter.place.x, letter.place.y, 0})));
+  return all.low.x > all.high.x ? unbounded() : transformed(make_bounds(all.low, all.high), shapes::text_frame());
 }
 
 Bounds cone_bounds(const Cone& cone) { return from_box(shapes::cone_box(cone)); }
@@ -172,7 +189,7 @@ Bounds local_bounds(const Object& object) {
           [](const std::shared_ptr<const Isosurface>& i) { return from_box(shapes::isosurface_box(*i)); },
           [](const std::shared_ptr<const Parametric>& p) { return from_box(shapes::parametric_box(*p)); },
           [](const std::shared_ptr<const JuliaFractal>& j) { return from_box(shapes::julia_fractal_box(*j)); },
-          [](const std::shared_ptr<const Text>& t) { return from_box(shapes::text_box(*t)); },
+          [](const std::shared_ptr<const Text>& t) { return text_bounds(*t); },
           [](const Mesh& m) { return from_box(shapes::mesh_box(m)); },
           [](const Csg&) { return unbounded(); },
           [](const LightGroup&) { return unbounded(); },

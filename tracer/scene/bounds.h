@@ -12,6 +12,7 @@ inline constexpr float kInfiniteVolume = 2e10f;  // boxes above this are "infini
 Bounds make_bounds(const Vec3& low, const Vec3& high);
 Vec3 low_corner(const Bounds& bounds);
 Vec3 high_corner(const Bounds& bounds);  // the binary32 sum, as max_extent prints it
+Vec3 far_corner(const Bounds& bounds);   // the same in double precision, as boxes of objects of objects take it
 float volume(const Bounds& bounds);
 // The box of the 8 transformed corners, clamped to +-1e10.
 Bounds transformed(const Bounds& bounds, const Transform& t);

@@ -21,10 +21,14 @@ Box3 height_field_box(const scene::HeightField& field);
 Box3 isosurface_box(const scene::Isosurface& isosurface);
 Box3 parametric_box(const scene::Parametric& parametric);
 Box3 julia_fractal_box(const scene::JuliaFractal& fractal);
-Box3 text_box(const scene::Text& text);
-// The letters of a text as texts of their own, in the same space; the box of one of them where its outline has it.
+// Of each letter of a text: its box where its outline has it, and the place of that.
+struct LetterBox {
+  Box3 box;
+  Vec2 place;
+};
+std::vector<LetterBox> letter_boxes(const scene::Text& text);
+// The letters as texts of their own, in the same space.
 std::vector<scene::Text> letters_of(const scene::Text& text);
-Box3 letter_box(const scene::Text& letter);
 Box3 mesh_box(const scene::Mesh& mesh);
 
 // Shapes that are modelled in a standard position: the matrix that puts them where the scene wants them, before any

@@ -414,9 +414,6 @@ void invert(Object& object) {
 }
 
 void finish_modifiers(Object& object) {
-  // The boxes of blobs and height fields are made after their modifiers (measured): those of copies are cut down.
-  if (!object.copied && (object.as<std::shared_ptr<const Blob>>() || object.as<std::shared_ptr<const HeightField>>()))
-    return;
   refit_clipped_quadric(object);
   shrink_to(object, object.bounded_by);
   shrink_to(object, object.clipped_by);

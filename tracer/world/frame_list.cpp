@@ -45,7 +45,7 @@ std::vector<scene::Text> letters_of(const Object& object, bool split_unions) {
 ObjectPtr letter_object(const Object& text, const scene::Text& letter) {
   auto object = std::make_shared<Object>(text);
   object->bounded_by.clear();
-  const Box3 box = shapes::letter_box(letter);
+  const Box3 box = shapes::letter_boxes(letter).front().box;
   const Transform placed = Transform::translation({letter.place->x, letter.place->y, 0}).then(*text.transform);
   object->bounds = scene::transformed(scene::make_bounds(box.min, box.max), placed);
   object->shape = std::make_shared<const scene::Text>(letter);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/scene/bounds.h"
 #include "tracer/shapes/blob/sphere_order.h"
 #include "tracer/shapes/frame.h"
 #include "tracer/shapes/shared_payload.h"
@@ -10,14 +11,16 @@
 namespace verisim::shapes::blob {
 namespace {
 
-// A sphere that POV-Ray draws around a part, as a cube; generous for transformed ones.
-Box3 cube_around(const Vec3& center, double radius, const Transform& t) {
-  Box3 box;
-  for (int corner = 0; corner < 8; ++corner)
-    box.extendBy(t.point(center + radius * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
-  const Vec3 size = box.max - box.min;
-  const Vec3 half(0.5 * std::max({size.x, size.y, size.z}));
-  const Vec3 moved = t.point(center);
+// A sphere that POV-Ray draws around a part, as a cube. That of a moved one is as wide as the longest side of its moved
+// box, in binary32.
+Box3 cube_around(const Vec3& center, double radius, const Transform* t) {
+  if (!t) return {center - Vec3(radius), center + Vec3(radius)};
+  scene::Bounds box;
+  for (int i = 0; i < 3; ++i)
+    box.low[i] = static_cast<float>(center[i] - radius), box.size[i] = static_cast<float>(2 * radius);
+  box = scene::transformed(box, *t);
+  const Vec3 half(0.5 * std::max({box.size[0], box.size[1], box.size[2]}));
+  const Vec3 moved = t->point(center);
   return {moved - half, moved + half};
 }
 
@@ -54,7 +57,7 @@ PartList parts_of(const scene::Blob& blob) {
       list.parts.push_back(part);
       list.reaches.push_back({c.transform ? box.center() : center,
                               c.transform ? 0.5 * length(box.max - box.min) : reach, box,
-                              cube_around(pov_center, reach, *part.transform)});
+                              cube_around(pov_center, reach, part.moved ? &*part.transform : nullptr)});
     };
     if (!c.cylinder) {
       part.kind = BlobPartKind::sphere;

@@ -267,16 +267,10 @@ std::unique_ptr<Shape> compile_text(const scene::Object& object) {
 // Every text is turned a little before its modifiers apply.
 Transform text_frame() { return Transform::rotation({0.001, 0.001, 0.001}); }
 
-Box3 text_box(const scene::Text& text) {
-  const Box3 b = glyphs_box(text);
-  if (b == everywhere()) return b;
-  Box3 result;
-  const Transform turn = text_frame();
-  for (int corner = 0; corner < 8; ++corner) {
-    result.extendBy(
-        turn.point({corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z}));
-  }
-  return result;
+std::vector<LetterBox> letter_boxes(const scene::Text& text) {
+  std::vector<LetterBox> boxes;
+  for (const PlacedGlyph& g : layout(text)) boxes.push_back({box_of(*g.glyph, Vec2(0), text.thickness), g.origin});
+  return boxes;
 }
 
 std::vector<scene::Text> letters_of(const scene::Text& text) {
@@ -289,7 +283,5 @@ std::vector<scene::Text> letters_of(const scene::Text& text) {
   }
   return letters;
 }
-
-Box3 letter_box(const scene::Text& letter) { return box_of(*layout(letter).front().glyph, Vec2(0), letter.thickness); }
 
 }  // namespace verisim::shapes

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <random>
 
+#include "tracer/scene/bounds.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/trace_test_support.h"
 #include "tracer/shapes/text/truetype.h"
@@ -25,6 +26,13 @@ class Text : public ::testing::Test {
     if (!std::filesystem::exists(kTimes)) GTEST_SKIP() << "no fonts";
   }
 };
+
+Box3 text_box(const scene::Text& t) {
+  scene::Object object;
+  object.shape = std::make_shared<const scene::Text>(t);
+  const scene::Bounds bounds = scene::local_bounds(object);
+  return {scene::low_corner(bounds), scene::high_corner(bounds)};
+}
 
 void expect_x(const scene::Text& t, double x_max) { EXPECT_NEAR(text_box(t).max.x, x_max, 1e-6); }
 

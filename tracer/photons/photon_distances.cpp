@@ -41,6 +41,7 @@ double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& mea
   std::ranges::sort(equals);
   const std::size_t kept = equals.size() - (list.size() - wanted);
   const double limit = equals[kept - 1].first;
+  if (kept < equals.size() && equals[kept].first == limit) list.set_split(limit);
   equals.erase(equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(kept));
   std::ranges::sort(equals, {}, &Equals::value_type::second);
   drop(list, equals);

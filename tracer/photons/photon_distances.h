@@ -40,7 +40,10 @@ class PhotonDistances {
   std::size_t size() const { return size_; }
   std::span<const float> squared() const { return {squared_.data(), size_}; }
   std::span<const std::uint32_t> index() const { return {index_.data(), size_}; }
-  void clear() { size_ = 0; }
+  void clear() { size_ = 0, split_ = -1; }
+  // The squared distance of photons that are equally far, of which only some are left in the list; negative: none.
+  double split() const { return split_; }
+  void set_split(double squared) { split_ = squared; }
   void add(std::uint32_t index, double squared) {
     make_room(size_ + 1);
     squared_[size_] = rounded(squared), index_[size_++] = index;
@@ -64,12 +67,13 @@ class PhotonDistances {
   std::vector<float> squared_;  // these are longer
   std::vector<std::uint32_t> index_;
   std::size_t size_ = 0;
+  double split_ = -1;
 };
 
 // Of those that are as far as `limit` when rounded, removes those that are farther.
 void drop_farther(PhotonDistances& list, const PhotonMeasure& measure, double limit);
 // Of those that are as far as the last one when rounded, keeps the nearest, until there are `wanted` in all; returns
-// the squared distance of the last one.
+// the squared distance of the last one. Notes it if others that are as far are dropped.
 double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& measure, std::size_t wanted);
 
 }  // namespace verisim::global

@@ -312,6 +312,7 @@ void keep_nearest(PhotonDistances& from, const PhotonMeasure& measure, std::size
   fill_up(from);
   const float last = find_last(from.squared().data(), from.size(), maximum, PhotonDistances::rounded(limit));
   const EqualOnes equals = keep_rounded(from, last, to);
+  to.set_split(from.split());
   limit = equals.count == 1 ? measure.squared(to.index()[equals.place]) : drop_farthest(to, last, measure, maximum);
 }
 

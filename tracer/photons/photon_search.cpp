@@ -6,7 +6,6 @@
 #include <limits>
 
 namespace verisim::global {
-namespace {}  // namespace
 
 double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum,
                              std::size_t too_many, double guess, std::vector<std::uint32_t>& out) {
@@ -29,7 +28,7 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
   const PhotonDistances* result = &found_;
   if (collected == Collected::nearest) {
     keep_nearest();
-    if (!drop_overlooked()) collect_in_order();
+    if (kept_.split() == farthest_ || !drop_overlooked() || kept_.split() == farthest_) collect_in_order();
     radius = std::sqrt(farthest_), result = &kept_;
   }
   out.assign(result->index().begin(), result->index().end());
@@ -150,23 +149,40 @@ void PhotonSearch::forget(std::uint32_t photon) {
   if (at != numbers.end() && *at == photon) found_.erase(static_cast<std::size_t>(at - numbers.begin()));
 }
 
+// As POV-Ray does: of photons that are equally far, as those of blended textures are, those stay that its heap happens
+// to keep, in which a new one rises above its equals and sinks no lower than they are (measured).
 void PhotonSearch::collect_in_order() {
   heap_.clear();
-  const auto nearer = [](const Found& a, const Found& b) { return a.squared < b.squared; };
   double limit = radius_ * radius_;
   visit_in_order(index_->photons, measure_.center.point, limit, [&](std::uint32_t i) {
     const double squared = measure_.squared(i);
     if (!(squared < limit)) return;
-    const bool full = heap_.size() == maximum_;
-    if (full) std::ranges::pop_heap(heap_, nearer), heap_.pop_back();
-    heap_.push_back({squared, i});
-    std::ranges::push_heap(heap_, nearer);
-    if (full) limit = heap_.front().squared;
+    if (heap_.size() < maximum_) return add_to_heap({squared, i});
+    replace_farthest({squared, i});
+    limit = heap_.front().squared;
   });
   farthest_ = limit;
   std::ranges::sort(heap_, {}, &Found::index);
   kept_.clear();
   for (const Found& f : heap_) kept_.add(f.index, f.squared);
+}
+
+void PhotonSearch::add_to_heap(const Found& found) {
+  std::size_t place = heap_.size();
+  heap_.push_back(found);
+  for (; place > 0 && heap_[(place - 1) / 2].squared <= found.squared; place = (place - 1) / 2)
+    heap_[place] = heap_[(place - 1) / 2];
+  heap_[place] = found;
+}
+
+void PhotonSearch::replace_farthest(const Found& found) {
+  std::size_t place = 0;
+  for (std::size_t child; (child = 2 * place + 1) < heap_.size(); place = child) {
+    if (child + 1 < heap_.size() && heap_[child].squared < heap_[child + 1].squared) ++child;
+    if (found.squared >= heap_[child].squared) break;
+    heap_[place] = heap_[child];
+  }
+  heap_[place] = found;
 }
 
 }  // namespace verisim::global

@@ -53,6 +53,8 @@ class PhotonSearch {
   void look_around(double squared);
   void forget(std::uint32_t photon);
   void collect_in_order();
+  void add_to_heap(const Found& found);
+  void replace_farthest(const Found& found);
 
   const PhotonKernels& kernels_ = photon_kernels();
   // What is looked for.

@@ -97,8 +97,7 @@ Aim aim(const PhotonPair& pair, const Vec3& origin) {
 Ray start_of(const PhotonPair& pair, const Aim& aim, const Turns& turns, int k) {
   if (pair.light->parallel) {
     const double back = dot(pair.center - aim.origin, aim.towards);
-    return {pair.center - back * aim.towards + rotate(aim.left * turns.away(k), aim.axis, turns.turn(k)),
-            aim.towards};
+    return {pair.center - back * aim.towards + rotate(aim.left * turns.away(k), aim.axis, turns.turn(k)), aim.towards};
   }
   const Turn away = turns.turn_away(k);
   return {aim.origin, rotate(aim.towards * away.cosine - aim.left * away.sine, aim.axis, turns.turn(k))};

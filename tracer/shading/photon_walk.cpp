@@ -66,34 +66,34 @@ void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
     media_->segment(tracer_, packet.ray, hit.t, packet.path, left_target, shot_, packet.color, *stored_);
   packet.path += hit.t;
   packet.color *= tracer_.fade_factor(packet.ray.interiors, *surface.interior, hit.t);
-  // Beyond the first segment every hit on an object that collects is stored, before the surface filters the packet.
-  if (!first_segment && packet.reached && !packet.passed && surface.photons.collect)
-    stored_->push_back({hit.point, -packet.ray.ray.direction,
-                        packet.color * static_cast<float>(shot_.area_factor(packet.path)), false});
-
   const scene::LightSource& light = *shot_.light;
-  const bool refracts = passes || allowed(surface.photons.refraction, light.photon_refraction);
-  const bool reflects = !passes && allowed(surface.photons.reflection, light.photon_reflection);
+  Encounter what;
+  what.stores = !first_segment && packet.reached && !packet.passed && surface.photons.collect;
+  what.refracts = passes || allowed(surface.photons.refraction, light.photon_refraction);
+  what.reflects = !passes && allowed(surface.photons.reflection, light.photon_reflection);
   packet.passed = passes;
-  if (!refracts && !reflects) return;
+  if (!what.stores && !what.scatters()) return;
   ++nesting_;
   SurfaceHit at(hit, packet.ray.ray.direction, 0,
                 packet.ray.level + 1);  // unlike other rays, also when it goes straight on
   std::vector<textures::WeightedTexture> weighted;
   tracer_.scene_.world.weighted_textures(hit, at.inside_hit, weighted);
-  const auto scatter_at = [&](const textures::CompiledTexture* texture, float weight) {
-    if (texture) scatter(packet, at, *texture, at.pattern_point(), nullptr, weight, refracts, reflects);
+  const auto meet_at = [&](const textures::CompiledTexture* texture, float weight) {
+    if (texture) meet_texture(packet, at, *texture, at.pattern_point(), nullptr, weight, what);
   };
   if (weighted.empty())
-    scatter_at(at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f);
-  for (const auto& entry : weighted) scatter_at(entry.texture, entry.weight);
+    meet_at(at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f);
+  for (const auto& entry : weighted) {
+    if (entry.weight >= shot_.adc_bailout) meet_at(entry.texture, entry.weight);
+  }
   --nesting_;
 }
 
-void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                         const Tracer::Frame* frame, float share, bool refracts, bool reflects) {
+void PhotonWalk::meet_texture(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture,
+                              const Vec3& p, const Tracer::Frame* frame, float share, const Encounter& what) {
   if (!texture.patterned()) {
-    scatter_layers(packet, at, texture, p, frame, share, refracts, reflects);
+    if (what.stores) store(packet, at.hit.point, share);
+    if (what.scatters()) scatter(packet, at, texture, p, frame, share, what);
     return;
   }
   std::vector<textures::WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
@@ -105,12 +105,17 @@ void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::C
   for (const auto& entry : chosen) {
     if (entry.weight == 0) continue;
     const float part = texture.average && total != 0 ? entry.weight / total : entry.weight;
-    scatter(packet, at, *entry.texture, warped, &inner, share * part, refracts, reflects);
+    meet_texture(packet, at, *entry.texture, warped, &inner, share * part, what);
   }
 }
 
-void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture,
-                                const Vec3& p, const Tracer::Frame* frame, float share, bool refracts, bool reflects) {
+void PhotonWalk::store(const Packet& packet, const Vec3& point, float share) {
+  stored_->push_back({point, -packet.ray.ray.direction,
+                      packet.color * static_cast<float>(shot_.area_factor(packet.path)) * share, false});
+}
+
+void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                         const Tracer::Frame* frame, float share, const Encounter& what) {
   const Vec3& d = packet.ray.ray.direction;
   std::vector<Layer> layers;
   Rgb filter(1);
@@ -140,9 +145,9 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
   }
   if (layers.empty()) return;
   const Vec3 top_normal = layers.front().normal;
-  const bool total = refracts && translucency > shot_.adc_bailout &&
+  const bool total = what.refracts && translucency > shot_.adc_bailout &&
                      refract(packet, at, top_normal, {filter * share, share, filter.max_abs()});
-  if (!reflects) return;
+  if (!what.reflects) return;
   for (const Layer& layer : layers) {
     if (layer.reflectivity == Rgb() || (total && Tracer::hidden_by_total_reflection(top_normal, layer.normal)))
       continue;

@@ -60,6 +60,12 @@ class PhotonWalk {
     Rgb reflectivity;
     float exponent, weight;  // `weight`: of what is reflected
   };
+  // What becomes of a packet at a surface. Beyond the first segment every hit on an object that collects is stored,
+  // before the surface filters the packet.
+  struct Encounter {
+    bool stores = false, refracts = false, reflects = false;
+    bool scatters() const { return refracts || reflects; }
+  };
   // What gets through a surface. Shares of textures do not count in weights.
   struct Passage {
     Rgb filter;  // with `share`
@@ -70,10 +76,13 @@ class PhotonWalk {
   bool goes_on(const Packet& packet);
   void follow(const Packet& packet);
   void meet(Packet packet, const shapes::Hit& hit);
+  // Each of the textures that are blended there stores a photon of its share, and scatters one.
+  void meet_texture(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                    const Tracer::Frame* frame, float share, const Encounter& what);
+  void store(const Packet& packet, const Vec3& point, float share);
+  // By the layers of a texture that is no pattern of others.
   void scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-               const Tracer::Frame* frame, float share, bool refracts, bool reflects);
-  void scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                      const Tracer::Frame* frame, float share, bool refracts, bool reflects);
+               const Tracer::Frame* frame, float share, const Encounter& what);
   // These two return whether all or some of it was reflected totally.
   bool refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through);
   bool bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through,

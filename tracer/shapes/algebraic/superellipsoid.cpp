@@ -51,8 +51,8 @@ class Root {
       if (opposite(secant_, middle)) {
         a_ = secant_, b_ = middle;
       } else {
-        const Sample& next = std::fabs(secant_.value) < std::fabs(middle.value) ? secant_ : middle;
-        (opposite(next, a_) ? b_ : a_) = next;
+        if (!(std::fabs(secant_.value) < std::fabs(middle.value))) secant_ = middle;
+        (opposite(secant_, a_) ? b_ : a_) = secant_;
       }
     }
     if (++steps_ == kMaxSteps) {
@@ -75,7 +75,7 @@ class Root {
     return place < 0.5 && (0.5 - place) * (secant_.value - inside.value) > kDoubt;
   }
 
-  Sample a_, b_, secant_;
+  Sample a_, b_, secant_;  // the third at last: the point that counts
   int steps_ = 0;
   bool convex_, halves_ = false;
 };

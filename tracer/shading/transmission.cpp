@@ -90,6 +90,7 @@ Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLay
   child.refracted = true;
   child.continuation = false;
   child.wavelength = wavelength;
+  child.monochromatic = wavelength > 0;
   child.weight = weight;
   child.level = at.level;
   ++statistics_.refracted_rays;
@@ -99,16 +100,13 @@ Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLay
 Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
                              float weight) {
   const int n = refraction.samples;
-  RayState colored = ray;
-  colored.monochromatic = true;
   Rgb sum;
   for (int i = 0; i < n; ++i) {
     const double wavelength = spectral_wavelength(i, n);
-    colored.wavelength = static_cast<float>(wavelength);
-    bool ignored = false;  // a sub-ray that is totally reflected does not make the hit so
+    bool ignored = false;  // a sub-ray that is totally reflected does not make the hit so; it stays white
     const double ratio = ratio_at(refraction.ratio, refraction.dispersion, wavelength);
     sum += spectral_weight(i, n) *
-           refracted_ray(colored, at, top, refraction, ratio, colored.wavelength, weight, ignored).rgb();
+           refracted_ray(ray, at, top, refraction, ratio, static_cast<float>(wavelength), weight, ignored).rgb();
   }
   return {sum * (1.0f / static_cast<float>(n)), 0, 0};
 }

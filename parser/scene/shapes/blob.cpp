@@ -83,6 +83,20 @@ BlobComponent parse_old_component(Parser& parser) {
   return component;
 }
 
+// As a blob's statement ends, POV-Ray copies its texture, and a copy of a solid colour has neither its transformations
+// nor its turbulence: a pattern that a later pigment { } makes of it does not have them (spec 08 E).
+void settle_color(scene::Object& blob) {
+  blob.solid_steps = {};
+  if (!blob.texture || !scene::ends_in_solid_color(*blob.texture)) return;
+  auto pigment = std::make_shared<scene::Pigment>(*blob.texture->layers.back().pigment);
+  if (pigment->pattern.warps.empty() && !pigment->pattern.turbulence) return;
+  pigment->pattern.warps = {};
+  pigment->pattern.turbulence = {};
+  auto texture = std::make_shared<scene::Texture>(*blob.texture);
+  texture->layers.back().pigment = std::move(pigment);
+  blob.texture = std::move(texture);
+}
+
 }  // namespace
 
 ObjectRef parse_blob(Parser& parser) {
@@ -110,8 +124,10 @@ ObjectRef parse_blob(Parser& parser) {
     blob->components.shrink_to_fit();
     object.shape = std::shared_ptr<const scene::Blob>(blob);
   });
-  if (!read->copied)  // so nobody else has this blob yet
+  if (!read->copied) {  // so nobody else has this blob yet
+    settle_color(*read);
     const_cast<scene::Blob&>(**read->as<std::shared_ptr<const scene::Blob>>()).first_texture = read->texture;
+  }
   return read;
 }
 

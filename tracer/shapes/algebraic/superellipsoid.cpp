@@ -51,8 +51,8 @@ class Root {
       if (opposite(secant_, middle)) {
         a_ = secant_, b_ = middle;
       } else {
-        const Sample& next = std::fabs(secant_.value) < std::fabs(middle.value) ? secant_ : middle;
-        (opposite(next, a_) ? b_ : a_) = next;
+        if (!(std::fabs(secant_.value) < std::fabs(middle.value))) secant_ = middle;
+        (opposite(secant_, a_) ? b_ : a_) = secant_;
       }
     }
     if (++steps_ == kMaxSteps) {
@@ -75,7 +75,7 @@ class Root {
     return place < 0.5 && (0.5 - place) * (secant_.value - inside.value) > kDoubt;
   }
 
-  Sample a_, b_, secant_;
+  Sample a_, b_, secant_;  // the third at last: the point that counts
   int steps_ = 0;
   bool convex_, halves_ = false;
 };
@@ -110,7 +110,8 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     search(l, near, far, outside, -HUGE_VAL, [&](double t) {
       const double depth = t / l.scale;
       if (!(depth > kNearest && depth < kFarthest)) return false;
-      return sink.add(depth, [&] { return ray.origin + depth * ray.direction; }) && Sink::kNearest;
+      const Vec3 p = ray.origin + depth * ray.direction;
+      return sink.add(depth, [&] { return p; }) ? Sink::kNearest : ends_with(sink, p);
     });
   }
 
@@ -183,6 +184,13 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   }
 
  private:
+  // Whether a search ends with a hit at `p` that does not count: outside CSG POV-Ray looks for one hit only, which may
+  // be nearer than shadows begin.
+  template <class Sink>
+  static bool ends_with(const Sink& sink, const Vec3& p) {
+    if constexpr (Sink::kNearest) return !sink.clipped_from_outside() && !sink.clipped(p);
+    return false;
+  }
   double value(const Vec3& p) const { return all_(across_(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)) - 1; }
   Sample sample(const Vec3& p) const { return {p, value(p)}; }
   static Vec3 point(const LocalRay& l, double t) { return l.origin + t * l.direction; }
@@ -282,9 +290,11 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     each_lane(entered, [&](int k) { from[k] = surely_outside_until(packet, k), to[k] = -HUGE_VAL; });
     search_packet(entered, locals, near, far, from, to, [&](int k, double t) {
       const double depth = t / locals[k].scale;
-      if (!(depth > kNearest && depth < kFarthest && depth >= t_min && depth < t_max[k])) return false;
-      found |= 1u << k;
-      take(k, depth);
+      if (!(depth > kNearest && depth < kFarthest)) return false;
+      if (depth >= t_min && depth < t_max[k]) {
+        found |= 1u << k;
+        take(k, depth);
+      }
       return true;
     });
     return found;

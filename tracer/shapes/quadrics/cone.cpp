@@ -17,9 +17,25 @@ namespace {
 using namespace one_ray;
 #include "tracer/shapes/quadrics/cone_crossings.inc"
 
+struct Ends {
+  Vec3 wide, narrow;
+  double radius, len, beyond;  // of the wide end; between the ends; from the tip to the narrow end
+
+  explicit Ends(const scene::Cone& c) {
+    const bool cap_is_wide = c.base_radius < c.cap_radius;
+    wide = cap_is_wide ? c.cap : c.base, narrow = cap_is_wide ? c.base : c.cap;
+    radius = std::max(c.base_radius, c.cap_radius);
+    const double narrow_radius = std::min(c.base_radius, c.cap_radius);
+    len = length(wide - narrow);
+    beyond = narrow_radius * len / (radius - narrow_radius);
+  }
+};
+
+// A quotient of these lengths, not of the radii: the last bits of hits on the narrow end (spec 03 4.3).
 double narrow_end(const scene::Cone& c) {
   if (cone_is_cylinder(c)) return 0;
-  return std::min(c.base_radius, c.cap_radius) / std::max(c.base_radius, c.cap_radius);
+  const Ends ends(c);
+  return ends.beyond / (ends.len + ends.beyond);
 }
 
 class Cone final : public KernelPrimitive<Cone> {
@@ -77,19 +93,14 @@ bool cone_is_cylinder(const scene::Cone& c) {
 }
 
 Transform cone_frame(const scene::Cone& c) {
-  const bool cap_is_wide = c.base_radius < c.cap_radius;
   if (cone_is_cylinder(c)) {
     const Vec3 axis = c.base - c.cap;
     const double len = length(axis);
     return frame_along(c.cap, axis * (1.0 / len), std::max(c.base_radius, c.cap_radius), len);
   }
-  const Vec3 wide = cap_is_wide ? c.cap : c.base, narrow = cap_is_wide ? c.base : c.cap;
-  const double wide_radius = std::max(c.base_radius, c.cap_radius),
-               narrow_radius = std::min(c.base_radius, c.cap_radius);
-  const double len = length(wide - narrow);
-  const Vec3 axis = (wide - narrow) * (1.0 / len);
-  const double beyond = narrow_radius * len / (wide_radius - narrow_radius);  // from the tip to the narrow end
-  return frame_along(narrow - beyond * axis, axis, wide_radius, len + beyond);
+  const Ends ends(c);
+  const Vec3 axis = (ends.wide - ends.narrow) * (1.0 / ends.len);
+  return frame_along(ends.narrow - ends.beyond * axis, axis, ends.radius, ends.len + ends.beyond);
 }
 
 Box3 cone_box(const scene::Cone& c) { return {Vec3(-1, -1, narrow_end(c)), Vec3(1, 1, 1)}; }

@@ -68,7 +68,8 @@ double hexagon(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
 double triangular(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   const double root3 = std::sqrt(3.0);
   const double x = positive_remainder(p.x, 3);
-  double z = positive_remainder(p.z, root3);
+  // Hardly below a row's edge it is the whole of root3, not 0: the last row, turned over.
+  double z = p.z - std::floor(p.z / root3) * root3;
   const int a = static_cast<int>(x);
   const double u = x - a;
   const bool upper = z >= root3 / 2;

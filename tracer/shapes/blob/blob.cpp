@@ -25,7 +25,7 @@ namespace {
 using namespace blob;
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
-constexpr std::size_t kFewPieces = 24;
+constexpr std::size_t kFewEvents = 16, kManyEvents = 512;
 constexpr std::size_t kMaxTextures = 512;
 
 using Part = BlobPart;
@@ -208,14 +208,44 @@ class Blob final : public SearchPrimitive<Blob> {
     return 1e-12 * sum;
   }
 
-  // The ends of pieces, from near to far.
-  static void add_events(const Scratch<Piece>& pieces, Scratch<Event>& events) {
+  template <class Use>
+  static void each_event(const Scratch<Piece>& pieces, Use&& use) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const Piece& piece = pieces[i];
-      events.insert_sorted({piece.t0, static_cast<std::int32_t>(i), true, piece.part}, kFewPieces);
-      events.insert_sorted({piece.t1, static_cast<std::int32_t>(i), false, piece.part}, kFewPieces);
+      use(Event{piece.t0, static_cast<std::int32_t>(i), true, piece.part});
+      use(Event{piece.t1, static_cast<std::int32_t>(i), false, piece.part});
     }
-    if (events.size() > kFewPieces) events.sort();
+  }
+  // Puts an event into its place among those in order before `end`.
+  static void insert(const Event& event, Event* list, Event* end) {
+    for (; end > list && event < end[-1]; --end) *end = end[-1];
+    *end = event;
+  }
+  // Writes the ends of pieces section by section of the way, which lies between `start` and start + span.
+  static void write_by_sections(const Scratch<Piece>& pieces, double start, double span, Event* list) {
+    constexpr std::size_t kSections = 64;
+    const double scale = std::min((kSections - 1) / span, 1e300);
+    const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
+    std::uint16_t next[kSections + 1] = {};
+    for (std::size_t i = 0; i < pieces.size(); ++i) ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];
+    for (std::size_t i = 1; i < kSections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
+    each_event(pieces, [&](const Event& event) { list[next[section(event.t)]++] = event; });
+  }
+
+  // The ends of pieces, from near to far.
+  static void add_events(const Scratch<Piece>& pieces, double start, double span, Scratch<Event>& events) {
+    const std::size_t count = 2 * pieces.size();
+    Event *const list = events.add_many(count), *end = list;
+    if (count <= kFewEvents) {
+      each_event(pieces, [&](const Event& event) { insert(event, list, end++); });
+    } else if (count <= kManyEvents) {
+      write_by_sections(pieces, start, span, list);
+      for (; end < list + count; ++end)
+        if (end > list && *end < end[-1]) insert(Event(*end), list, end);
+    } else {
+      each_event(pieces, [&](const Event& event) { *end++ = event; });
+      std::sort(list, end);
+    }
   }
 
   // The hits of a ray that are no further than `limit`, interval by interval.
@@ -231,7 +261,7 @@ class Blob final : public SearchPrimitive<Blob> {
     const double rounding = rounding_of(pieces, span);
     if (misses(peak, rounding)) return;
     Scratch<Event> events;
-    add_events(pieces, events);
+    add_events(pieces, start, span, events);
     const Vec3 origin = l.origin + start * l.direction, direction = span * l.direction;
     for (std::size_t i = 0; i < pieces.size(); ++i) expand(pieces[i], origin, direction, span);
     Intervals intervals(&events[0], events.size(), &pieces[0], threshold_);

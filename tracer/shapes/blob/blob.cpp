@@ -55,24 +55,33 @@ class Blob final : public SearchPrimitive<Blob> {
     search(ray, l, pieces, HUGE_VAL, sink);
   }
 
-  bool takes_packets() const { return !spheres_.empty(); }
+  bool takes_packets() const { return !spheres_.empty() || !tree_.empty(); }
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
     LocalPacket l;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
-    PiecePacket met[BlobParts::kMaxForPacket];
-    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
+    constexpr std::size_t kMost = 192;
+    static_assert(kMost >= BlobParts::kMaxInSpheres);
+    PiecePacket met[kMost];
+    const std::size_t count = spheres_.empty()
+                                  ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMost)
+                                  : blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
     if (count == 0) return 0;
     unsigned found = 0;
     each_lane(admitted, [&](int k) {
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      if (count > kMost) {
+        intersections(rays.at(k), sink);
+        found |= sink.found() ? 1u << k : 0;
+        return;
+      }
       Scratch<Piece> pieces;
       for (std::size_t i = 0; i < count; ++i) {
         const PiecePacket& p = met[i];
         if (p.met >> k & 1) add_piece(*p.part, {p.t0[k], p.t1[k], p.scale2[k], p.peak[k]}, pieces);
       }
-      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
       search(rays.at(k), ray, pieces, t_max[k], sink);
       found |= sink.found() ? 1u << k : 0;
@@ -227,7 +236,8 @@ class Blob final : public SearchPrimitive<Blob> {
     const double scale = std::min((kSections - 1) / span, 1e300);
     const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
     std::uint16_t next[kSections + 1] = {};
-    for (std::size_t i = 0; i < pieces.size(); ++i) ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];
     for (std::size_t i = 1; i < kSections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
     each_event(pieces, [&](const Event& event) { list[next[section(event.t)]++] = event; });
   }

@@ -36,7 +36,7 @@ class Search {
  public:
   HWY_INLINE Search(const MeshGeometry& mesh, unsigned active, double t_min, const double* t_max, bool any,
                     MeshPacket& p)
-      : mesh_(mesh), any_(any), t_min_(t_min), open_(active), p_(p) {
+      : mesh_(mesh), any_(any), t_min_(t_min), p_(p) {
     const LocalPacket& r = p.rays;
     const double* const origin[3] = {r.ox, r.oy, r.oz};
     const double* const direction[3] = {r.dx, r.dy, r.dz};
@@ -46,10 +46,8 @@ class Search {
       p.triangle[k] = -1;
       p.t[k] = t_max[k];
       near_enough(k);
-      // Strange numbers would defeat the comparisons of boxes.
-      const float sum = there_.origin[0][k] + there_.origin[1][k] + there_.origin[2][k];
-      if (!(there_.start[k] < HUGE_VAL && std::fabs(sum) < HUGE_VALF)) open_ &= ~(1u << k);
     }
+    open_ = entering(active, there_);
     p.passed_over = 0;
   }
 

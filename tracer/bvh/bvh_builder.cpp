@@ -75,7 +75,7 @@ class Builder {
     if (all.size() <= kParallel) {
       built.nodes.reserve(usual_nodes(all.size()));
       built.nodes.emplace_back().clear();
-      node(all, 0, 0, built);
+      node(divide(all, 0), 0, 0, built);
       return built;
     }
     Subtree root;
@@ -98,11 +98,16 @@ class Builder {
   // What trees of so many items hardly ever exceed: (items - 1) / 3 nodes if all are full.
   static std::size_t usual_nodes(std::size_t items) { return items <= 4 ? 1 : items / 2 + 1; }
 
-  // Cuts a range into up to four; returns how many.
-  int divide(const Range& range, int depth, Range (&child)[4]) {
-    child[0] = range;
-    if (range.size() == 1) child[0].leaf = true;
+  // What a range is cut into: up to four; one, if it is a leaf.
+  struct Parts {
+    Range part[4];
     int count = 1;
+  };
+  Parts divide(const Range& range, int depth) {
+    Parts parts;
+    Range* const child = parts.part;
+    int& count = parts.count;
+    child[0] = range;
     while (count < 4) {
       // Of those that may be split, the one with the largest surface.
       int widest = -1;
@@ -116,43 +121,41 @@ class Builder {
       Range right;
       if (split(child[widest], right, depth)) child[count++] = right;
     }
-    return count;
+    return parts;
   }
 
-  // Fills out.nodes[place] with the children of `range`.
-  void node(const Range& range, std::uint32_t place, int depth, BuiltTree& out) {
-    Range child[4];
-    const int count = divide(range, depth, child);
-    for (int i = 0; i < count; ++i) {
-      set_box(out.nodes[place], i, child[i].bounds);
-      if (child[i].leaf) {
-        out.nodes[place].child[i] = leaf(child[i], out);
-        continue;
-      }
-      const auto next = static_cast<std::uint32_t>(out.nodes.size());
-      out.nodes[place].child[i] = next;
-      out.nodes.emplace_back().clear();
-      node(child[i], next, depth + 1, out);
+  // Fills out.nodes[place] with parts of this depth.
+  void node(const Parts& parts, std::uint32_t place, int depth, BuiltTree& out) {
+    for (int i = 0; i < parts.count; ++i) {
+      const std::uint32_t child = below(parts.part[i], depth + 1, out);
+      set_box(out.nodes[place], i, parts.part[i].bounds);
+      out.nodes[place].child[i] = child;
     }
+  }
+  // What a node names a part of it by. A part that nobody tried to cut yet may turn out to be a leaf: it gets no node.
+  std::uint32_t below(const Range& part, int depth, BuiltTree& out) {
+    if (part.leaf) return leaf(part, out);
+    const Parts parts = divide(part, depth);
+    if (parts.count == 1) return leaf(part, out);
+    const auto place = static_cast<std::uint32_t>(out.nodes.size());
+    out.nodes.emplace_back().clear();
+    node(parts, place, depth, out);
+    return place;
   }
 
   // The same for a range of more than kParallel items.
   void upper(const Range& range, int depth, Subtree& out) {
-    Range child[4];
-    const int count = divide(range, depth, child);
+    const Parts parts = divide(range, depth);
     BoxNode& root = out.own.nodes.emplace_back();
     root.clear();
-    for (int i = 0; i < count; ++i) set_box(root, i, child[i].bounds);
-    parallel_for(static_cast<std::size_t>(count), 1, [&](std::size_t i) {
+    for (int i = 0; i < parts.count; ++i) set_box(root, i, parts.part[i].bounds);
+    parallel_for(static_cast<std::size_t>(parts.count), 1, [&](std::size_t i) {
       Subtree& part = *(out.child[i] = std::make_unique<Subtree>());
-      if (child[i].leaf) {
-        root.child[i] = leaf(child[i], part.own);
-      } else if (child[i].size() > kParallel) {
-        upper(child[i], depth + 1, part);
+      if (parts.part[i].size() > kParallel) {
+        upper(parts.part[i], depth + 1, part);
       } else {
-        part.own.nodes.reserve(usual_nodes(child[i].size()));
-        part.own.nodes.emplace_back().clear();
-        node(child[i], 0, depth + 1, part.own);
+        part.own.nodes.reserve(usual_nodes(parts.part[i].size()));
+        root.child[i] = below(parts.part[i], depth + 1, part.own);
       }
     });
   }

@@ -146,6 +146,27 @@ TEST(Bvh, VisitsFewBoxesAndNoneBeyondTheLimit) {
   EXPECT_LT(visited, met + met / 20 + 100) << "boxes are hardly wider than they must be";
 }
 
+// How many nodes below one, and itself, have a single child.
+std::size_t nodes_of_one(const Bvh& tree, std::uint32_t place) {
+  const BoxNode& node = tree.node(place);
+  std::size_t children = 0, found = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (node.planes[0][k] > node.planes[3][k]) continue;
+    ++children;
+    if (!(node.child[k] & BoxNode::kLeaf)) found += nodes_of_one(tree, node.child[k]);
+  }
+  return found + (children == 1);
+}
+
+TEST(Bvh, LeavesHaveNoNodeOfTheirOwn) {
+  Random random(6);
+  for (const int count : {5, 40, 1500, 40000}) {
+    const auto boxes = boxes_around(random, Vec3(0), count);
+    for (const unsigned leaf_size : {1u, 4u, 8u})
+      EXPECT_EQ(nodes_of_one(tree_of(boxes, leaf_size), 0), 0u) << count << ' ' << leaf_size;
+  }
+}
+
 TEST(Bvh, BoxesAroundAPoint) {
   Random random(3);
   for (const double offset : {0.0, 1e5}) {

@@ -7,6 +7,7 @@
 #define VERISIM_BVH_NODE_RAYS_INL_H
 #endif
 
+#include <cmath>
 #include <limits>
 
 #include "tracer/bvh/node_rays.h"
@@ -40,6 +41,15 @@ HWY_INLINE void enter_tree(const Box3& bounds, const Vec3& center, double slack,
     store(there.origin[axis], to_floats(load(origin[axis]) - Packet(center[axis]) + start * load(direction[axis])));
   store(there.start, select(start <= end, start, Packet(kInfinity)));
   there.slack = slack;
+}
+
+// Those of the lanes that come near anything in the tree and whose numbers are fit to be compared with boxes.
+HWY_INLINE unsigned entering(unsigned lanes, const NodeRays& there) {
+  for (int k = 0; k < kLanes; ++k) {
+    const float sum = there.origin[0][k] + there.origin[1][k] + there.origin[2][k];
+    if (!(there.start[k] < HUGE_VAL && std::fabs(sum) < HUGE_VALF)) lanes &= ~(1u << k);
+  }
+  return lanes;
 }
 
 // Limits counted from where rays enter the tree, rounded up; below zero or NaN: nothing is nearer.

@@ -42,6 +42,17 @@ void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
              {{0, 0.4, 0}, {}, 0.4, -1.5, false, {}, {}},
              {{-0.5, -0.6, 0.2}, {0.6, 0.5, 0}, 0.5, 1, true, {}, {}}});
   blob(0.3, {{{0, 0, 0}, {0, 0.6, 0}, 0.7, 1, true, turned, {}}, {{0.3, 0, 0}, {}, 0.8, 0.6, false, turned, {}}});
+  // So many parts that a tree finds them; so many near a packet that its rays go alone.
+  const auto cloud = [&](int count, double radius, double threshold) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> u(-0.8, 0.8);
+    std::vector<scene::BlobComponent> balls;
+    for (int i = 0; i < count; ++i)
+      balls.push_back({{u(random), u(random), u(random)}, {}, radius, i % 7 == 0 ? -0.5 : 1.0, false, {}, {}});
+    blob(threshold, balls);
+  };
+  cloud(120, 0.3, 0.5);
+  if (!steps) cloud(220, 2.5, 100);
   const std::vector<Vec2> vase{{0.2, -1.2}, {0.4, -0.8}, {0.8, -0.2}, {0.3, 0.3}, {0.5, 0.8}, {0.6, 1}};
   for (const bool open : {false, true})
     objects.push_back(make(std::make_shared<const scene::Sor>(scene::Sor{vase, open}), steps));

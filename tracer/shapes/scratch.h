@@ -25,14 +25,12 @@ class Scratch {
     ++size_;
     return list_.storage[list_.end++];
   }
-  // Adds in order while there are at most `few` elements, at the end after that: sort() then.
-  void insert_sorted(const T& value, std::size_t few) {
-    add(value);
-    if (size_ > few) return;
-    T* first = &list_.storage[begin_];
-    T* place = first + size_ - 1;
-    for (; place > first && value < place[-1]; --place) *place = place[-1];
-    *place = value;
+  // The same for several in a row.
+  T* add_many(std::size_t count) {
+    while (list_.end + count > list_.storage.size()) grow();
+    T* const first = list_.storage.data() + list_.end;
+    list_.end += count, size_ += count;
+    return first;
   }
   void pop() {
     --list_.end;
@@ -56,7 +54,7 @@ class Scratch {
     thread_local List list;
     return list;
   }
-  [[gnu::noinline]] void grow() { list_.storage.resize(2 * list_.end + 64); }
+  [[gnu::noinline]] void grow() { list_.storage.resize(2 * list_.storage.size() + 64); }
 
   List& list_;
   const std::size_t begin_;

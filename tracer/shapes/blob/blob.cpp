@@ -25,7 +25,7 @@ namespace {
 using namespace blob;
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
-constexpr std::size_t kFewPieces = 24;
+constexpr std::size_t kFewEvents = 16, kManyEvents = 512;
 constexpr std::size_t kMaxTextures = 512;
 
 using Part = BlobPart;
@@ -55,24 +55,33 @@ class Blob final : public SearchPrimitive<Blob> {
     search(ray, l, pieces, HUGE_VAL, sink);
   }
 
-  bool takes_packets() const { return !spheres_.empty(); }
+  bool takes_packets() const { return !spheres_.empty() || !tree_.empty(); }
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
     LocalPacket l;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
-    PiecePacket met[BlobParts::kMaxForPacket];
-    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
+    constexpr std::size_t kMost = 192;
+    static_assert(kMost >= BlobParts::kMaxInSpheres);
+    PiecePacket met[kMost];
+    const std::size_t count = spheres_.empty()
+                                  ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMost)
+                                  : blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
     if (count == 0) return 0;
     unsigned found = 0;
     each_lane(admitted, [&](int k) {
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      if (count > kMost) {
+        intersections(rays.at(k), sink);
+        found |= sink.found() ? 1u << k : 0;
+        return;
+      }
       Scratch<Piece> pieces;
       for (std::size_t i = 0; i < count; ++i) {
         const PiecePacket& p = met[i];
         if (p.met >> k & 1) add_piece(*p.part, {p.t0[k], p.t1[k], p.scale2[k], p.peak[k]}, pieces);
       }
-      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
       search(rays.at(k), ray, pieces, t_max[k], sink);
       found |= sink.found() ? 1u << k : 0;
@@ -208,14 +217,45 @@ class Blob final : public SearchPrimitive<Blob> {
     return 1e-12 * sum;
   }
 
-  // The ends of pieces, from near to far.
-  static void add_events(const Scratch<Piece>& pieces, Scratch<Event>& events) {
+  template <class Use>
+  static void each_event(const Scratch<Piece>& pieces, Use&& use) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const Piece& piece = pieces[i];
-      events.insert_sorted({piece.t0, static_cast<std::int32_t>(i), true, piece.part}, kFewPieces);
-      events.insert_sorted({piece.t1, static_cast<std::int32_t>(i), false, piece.part}, kFewPieces);
+      use(Event{piece.t0, static_cast<std::int32_t>(i), true, piece.part});
+      use(Event{piece.t1, static_cast<std::int32_t>(i), false, piece.part});
     }
-    if (events.size() > kFewPieces) events.sort();
+  }
+  // Puts an event into its place among those in order before `end`.
+  static void insert(const Event& event, Event* list, Event* end) {
+    for (; end > list && event < end[-1]; --end) *end = end[-1];
+    *end = event;
+  }
+  // Writes the ends of pieces section by section of the way, which lies between `start` and start + span.
+  static void write_by_sections(const Scratch<Piece>& pieces, double start, double span, Event* list) {
+    constexpr std::size_t kSections = 64;
+    const double scale = std::min((kSections - 1) / span, 1e300);
+    const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
+    std::uint16_t next[kSections + 1] = {};
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];
+    for (std::size_t i = 1; i < kSections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
+    each_event(pieces, [&](const Event& event) { list[next[section(event.t)]++] = event; });
+  }
+
+  // The ends of pieces, from near to far.
+  static void add_events(const Scratch<Piece>& pieces, double start, double span, Scratch<Event>& events) {
+    const std::size_t count = 2 * pieces.size();
+    Event *const list = events.add_many(count), *end = list;
+    if (count <= kFewEvents) {
+      each_event(pieces, [&](const Event& event) { insert(event, list, end++); });
+    } else if (count <= kManyEvents) {
+      write_by_sections(pieces, start, span, list);
+      for (; end < list + count; ++end)
+        if (end > list && *end < end[-1]) insert(Event(*end), list, end);
+    } else {
+      each_event(pieces, [&](const Event& event) { *end++ = event; });
+      std::sort(list, end);
+    }
   }
 
   // The hits of a ray that are no further than `limit`, interval by interval.
@@ -231,7 +271,7 @@ class Blob final : public SearchPrimitive<Blob> {
     const double rounding = rounding_of(pieces, span);
     if (misses(peak, rounding)) return;
     Scratch<Event> events;
-    add_events(pieces, events);
+    add_events(pieces, start, span, events);
     const Vec3 origin = l.origin + start * l.direction, direction = span * l.direction;
     for (std::size_t i = 0; i < pieces.size(); ++i) expand(pieces[i], origin, direction, span);
     Intervals intervals(&events[0], events.size(), &pieces[0], threshold_);

@@ -5,6 +5,8 @@
 #define HWY_TARGET_INCLUDE "tracer/shapes/blob/blob_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
+#include "tracer/bvh/bvh.h"
+#include "tracer/bvh/node_rays-inl.h"
 #include "tracer/math/packet_vector-inl.h"
 #include "tracer/simd/kernel_table.h"
 #include "tracer/simd/packet-inl.h"
@@ -14,6 +16,7 @@ namespace verisim::shapes {
 namespace {
 namespace HWY_NAMESPACE {
 
+using namespace accel::HWY_NAMESPACE;
 using namespace simd::HWY_NAMESPACE;
 
 // Where rays are within reach of a part; `nearest2`: their squared distance from the centre or axis there.
@@ -116,20 +119,57 @@ std::uint64_t parts_around(const PartSpheres* spheres, std::size_t blocks, const
   return around;
 }
 
+using RayVectors = PacketVector<Packet>;
+HWY_INLINE RayVectors origins(const LocalPacket& rays) { return {load(rays.ox), load(rays.oy), load(rays.oz)}; }
+HWY_INLINE RayVectors directions(const LocalPacket& rays) { return {load(rays.dx), load(rays.dy), load(rays.dz)}; }
+
+// False: none of the lanes meets the part.
+HWY_INLINE bool take_piece(const BlobPart& part, const RayVectors& o, const RayVectors& d, unsigned lanes,
+                           PiecePacket& piece) {
+  Course<Packet> course;
+  const unsigned met = bits(meet(part, o, d, course)) & lanes;
+  if (met == 0) return false;
+  store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.scale2, course.scale2);
+  store(piece.peak, peak_of(part, course));
+  piece.part = &part, piece.met = met;
+  return true;
+}
+
 std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalPacket& rays, unsigned active,
                         PiecePacket* pieces) {
-  const PacketVector<Packet> o = {load(rays.ox), load(rays.oy), load(rays.oz)},
-                             d = {load(rays.dx), load(rays.dy), load(rays.dz)};
+  const RayVectors o = origins(rays), d = directions(rays);
   std::size_t found = 0;
-  for (; near != 0; near &= near - 1) {
-    const BlobPart& part = parts[__builtin_ctzll(near)];
-    Course<Packet> course;
-    const unsigned met = bits(meet(part, o, d, course)) & active;
-    if (met == 0) continue;
-    PiecePacket& piece = pieces[found++];
-    store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.scale2, course.scale2);
-    store(piece.peak, peak_of(part, course));
-    piece.part = &part, piece.met = met;
+  for (; near != 0; near &= near - 1) found += take_piece(parts[__builtin_ctzll(near)], o, d, active, pieces[found]);
+  return found;
+}
+
+std::size_t find_pieces_in_tree(const BlobPart* parts, const accel::Bvh& tree, const LocalPacket& rays, unsigned active,
+                                PiecePacket* pieces, std::size_t most) {
+  using accel::BoxNode;
+  const RayVectors o = origins(rays), d = directions(rays);
+  const double* const origin[3] = {rays.ox, rays.oy, rays.oz};
+  const double* const direction[3] = {rays.dx, rays.dy, rays.dz};
+  accel::NodeRays there;
+  enter_tree(tree.bounds(), tree.center(), tree.slack(), origin, direction, 0, there);
+  const FloatPacket end = node_limits(there, HUGE_VAL);
+  std::uint64_t stack[accel::Bvh::kStackSize];  // lanes above the child that they meet
+  int size = 0;
+  std::size_t found = 0;
+  if (const unsigned lanes = entering(active, there)) stack[size++] = std::uint64_t{lanes} << 32;
+  while (size > 0) {
+    const std::uint64_t next = stack[--size];
+    const auto child = static_cast<std::uint32_t>(next);
+    const auto lanes = static_cast<unsigned>(next >> 32);
+    if (child & BoxNode::kLeaf) {
+      if (found == most) return most + 1;
+      found += take_piece(parts[BoxNode::leaf_first(child)], o, d, lanes, pieces[found]);
+      continue;
+    }
+    const BoxNode& node = tree.node(child);
+    accel::ChildrenMet met;
+    test_children(node, there, end, met);
+    for (int k = 0; k < 4; ++k)
+      if (const unsigned here = met.lanes[k] & lanes) stack[size++] = std::uint64_t{here} << 32 | node.child[k];
   }
   return found;
 }
@@ -144,7 +184,7 @@ bool find_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction,
   return true;
 }
 
-const BlobKernels kKernels = {near_parts, parts_around, find_pieces, find_piece};
+const BlobKernels kKernels = {near_parts, parts_around, find_pieces, find_pieces_in_tree, find_piece};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

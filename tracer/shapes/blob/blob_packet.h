@@ -4,6 +4,10 @@
 #include "tracer/scene/sharing.h"
 #include "tracer/shapes/packet_kernels.h"
 
+namespace verisim::accel {
+class Bvh;
+}
+
 namespace verisim::shapes {
 
 enum class BlobPartKind : unsigned char { sphere, cylinder, base, apex };
@@ -47,6 +51,9 @@ struct BlobKernels {
   // Fills `pieces` with those of `near` that any lane of `active` meets; how many.
   std::size_t (*pieces)(const BlobPart* parts, std::uint64_t near, const LocalPacket& rays, unsigned active,
                         PiecePacket* pieces);
+  // The same for all parts, which are found by a tree; more than `most`: there is no room for all of them.
+  std::size_t (*pieces_in_tree)(const BlobPart* parts, const accel::Bvh& tree, const LocalPacket& rays, unsigned active,
+                                PiecePacket* pieces, std::size_t most);
   // Whether one ray comes within reach of a part, and where.
   bool (*piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece);
 };

@@ -1,5 +1,6 @@
 // Eight rays and the parts of a blob: the same bits with every instruction set.
 #include "tracer/shapes/blob/blob_packet.h"
+#include "tracer/shapes/blob/blob_parts.h"
 #include "tracer/shapes/packet_test_support.h"
 
 namespace verisim::shapes::testing {
@@ -55,6 +56,42 @@ TEST_P(BlobKernel, MeetsThePartsOfABlobAlike) {
     }
   }
   EXPECT_GT(met, 5000);
+}
+
+TEST_P(BlobKernel, FindsInATreeWhatRaysMeetOneByOne) {
+  const BlobKernels* kernels = blob_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  Rays rays;
+  std::uniform_real_distribution<double> u(-1, 1);
+  scene::Blob balls;
+  for (int i = 0; i < 100; ++i)
+    balls.components.push_back({{u(rays.random), u(rays.random), u(rays.random)}, {}, 0.3, 1, false, {}, {}});
+  const blob::BlobParts blob(balls);
+  std::size_t met = 0;
+  for (int round = 0; round < 300; ++round) {
+    rays.fill(round, 0);
+    LocalPacket local;
+    packet_kernels(simd::kBaseline)->local(nullptr, {*rays.batches, 0, 255}, local);
+    std::vector<PiecePacket> pieces(blob.parts.size());
+    const auto find = [&](std::size_t most) {
+      return kernels->pieces_in_tree(blob.parts.data(), blob.tree, local, rays.active, pieces.data(), most);
+    };
+    const std::size_t count = find(pieces.size());
+    unsigned lanes_of[100] = {};
+    for (std::size_t i = 0; i < count; ++i) lanes_of[pieces[i].part - blob.parts.data()] = pieces[i].met;
+    for (std::size_t i = 0; i < blob.parts.size(); ++i)
+      each_lane(rays.active, [&](int k) {
+        const Ray ray = rays.batches->at(k);
+        RayPiece alone;
+        const bool meets = kernels->piece(blob.parts[i], ray.origin, ray.direction, alone);
+        ASSERT_EQ(lanes_of[i] >> k & 1, meets) << round << ' ' << i << ' ' << k;
+        met += meets;
+      });
+    if (count > 1) {
+      EXPECT_GT(find(count - 1), count - 1) << "no room";
+    }
+  }
+  EXPECT_GT(met, 3000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BlobKernel, all_instruction_sets());

@@ -129,7 +129,7 @@ BlobParts::BlobParts(const scene::Blob& blob) {
     if (parts[i].k2 > 0) positive_box.extendBy(reach);
   }
   constexpr std::size_t kFewParts = 2;
-  if (parts.size() <= kMaxForPacket && finite) spheres = spheres_around(list.reaches);
+  if (parts.size() <= kMaxInSpheres && finite) spheres = spheres_around(list.reaches);
   if (parts.size() > kFewParts && finite)
     tree = accel::Bvh(
         list.reaches.size(), [&](std::size_t i) { return list.reaches[i].box; }, 1);

@@ -33,7 +33,7 @@ struct BlobParts {
   accel::Bvh tree;
   Box3 box, positive_box;  // around the reach of all parts, and of those that add to the field
 
-  static constexpr std::size_t kMaxForPacket = 64;  // parts; of more, a tree finds the few that a ray meets
+  static constexpr std::size_t kMaxInSpheres = 64;  // parts; of more, a tree finds the few that rays meet
 };
 
 }  // namespace verisim::shapes::blob

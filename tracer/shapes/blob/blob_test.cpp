@@ -81,16 +81,23 @@ TEST(Blob, HitsLieOnTheSurface) {
 }
 
 TEST(Blob, ManyComponentsEqualFewSearchedOneByOne) {
-  std::vector<scene::BlobComponent> c;
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> u(-1.5, 1.5);
-  for (int i = 0; i < 200; ++i) c.push_back(ball({u(random), u(random), u(random)}, 0.4, 1));
-  check_solid(blob(0.6, c), {[&](const Vec3& p) {
-                               double sum = -0.6;
-                               for (const auto& component : c) sum += field(component, p);
-                               return sum;
-                             },
-                             kClosedForm, true, 300});
+  struct Cloud {
+    int count;
+    double radius, threshold;
+  };
+  // A ray meets some ten of the first, which are put in order section by section, and all of the second.
+  for (const Cloud& cloud : {Cloud{200, 0.4, 0.6}, Cloud{300, 2.5, 60}}) {
+    std::vector<scene::BlobComponent> c;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> u(-1.5, 1.5);
+    for (int i = 0; i < cloud.count; ++i) c.push_back(ball({u(random), u(random), u(random)}, cloud.radius, 1));
+    check_solid(blob(cloud.threshold, c), {[&](const Vec3& p) {
+                                             double sum = -cloud.threshold;
+                                             for (const auto& component : c) sum += field(component, p);
+                                             return sum;
+                                           },
+                                           kClosedForm, true, 300});
+  }
 }
 
 TEST(Blob, SharesOfTexturesFollowTheFields) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/shapes/mesh/mesh_kernels.cpp"
@@ -36,7 +35,7 @@ class Search {
  public:
   HWY_INLINE Search(const MeshGeometry& mesh, unsigned active, double t_min, const double* t_max, bool any,
                     MeshPacket& p)
-      : mesh_(mesh), any_(any), t_min_(t_min), open_(active), p_(p) {
+      : mesh_(mesh), any_(any), t_min_(t_min), p_(p) {
     const LocalPacket& r = p.rays;
     const double* const origin[3] = {r.ox, r.oy, r.oz};
     const double* const direction[3] = {r.dx, r.dy, r.dz};
@@ -46,10 +45,8 @@ class Search {
       p.triangle[k] = -1;
       p.t[k] = t_max[k];
       near_enough(k);
-      // Strange numbers would defeat the comparisons of boxes.
-      const float sum = there_.origin[0][k] + there_.origin[1][k] + there_.origin[2][k];
-      if (!(there_.start[k] < HUGE_VAL && std::fabs(sum) < HUGE_VALF)) open_ &= ~(1u << k);
     }
+    open_ = entering(active, there_);
     p.passed_over = 0;
   }
 
@@ -127,10 +124,11 @@ class Search {
   }
   // The ray of a lane that goes alone, made when it first does.
   HWY_INLINE const accel::NodeRay& lone_ray(int lane) {
-    std::optional<accel::NodeRay>& ray = lone_[lane];
     const auto at = [&](const accel::NodeRays::Lane* v) HWY_ATTR { return Vec3(v[0][lane], v[1][lane], v[2][lane]); };
-    if (!ray) ray.emplace(at(there_.origin), at(there_.inverse));
-    return *ray;
+    accel::NodeRay& ray = lone_[lane].ray;
+    if (!(lone_made_ >> lane & 1)) ray = accel::NodeRay(at(there_.origin), at(there_.inverse));
+    lone_made_ |= 1u << lane;
+    return ray;
   }
 
   HWY_INLINE void leaf(std::uint32_t child, unsigned lanes) {
@@ -189,7 +187,13 @@ class Search {
   alignas(64) float far_[kLanes];
   Waiting stack_[accel::Bvh::kStackSize];
   int size_ = 0;
-  std::optional<accel::NodeRay> lone_[kLanes];
+  // Without a value until it is made: most meshes are so small that clearing eight would show.
+  union Lone {
+    Lone() {}
+    accel::NodeRay ray;
+  };
+  Lone lone_[kLanes];
+  unsigned lone_made_ = 0;
 };
 
 void meet(const MeshGeometry& mesh, const accel::EntryPoints* entry, unsigned active, double t_min, const double* t_max,

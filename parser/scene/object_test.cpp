@@ -1,4 +1,6 @@
 // Objects: what their statements put into the description (spec 03, 04).
+#include <fmt/format.h>
+
 #include "parser/scene/test_support.h"
 #include "tracer/image/image.h"
 #include "tracer/scene/bounds.h"
@@ -315,6 +317,28 @@ TEST(Modifiers, BoundsCutDownBoxesOfCopiesOfBlobsAndHeightFields) {
     EXPECT_EQ(scene::high_corner(object_of("object{" + shape + "}" + bound)->bounds).x, 1);
   }
   EXPECT_EQ(scene::high_corner(object_of("sphere{0,2" + bound)->bounds).x, 1);
+}
+
+// The matrix of a height field begins with that of its grid: POV-Ray's bits of hits and normals (spec 04 5.2).
+TEST(Objects, HeightFieldsAreHitWherePovRayHitsThem) {
+  const auto differs = [](const char* from, const char* along, const std::array<double, 6>& expected) {
+    std::string scene =
+        "#version 3.7; #declare N=0*x; #declare P=trace(height_field{function 50,20{0.5+0.3*sin(9*x)*cos(7*y)} scale 2 "
+        "rotate <10,20,30> translate <0.1,0.2,0.3>}, " +
+        std::string(from) + ", " + along + ", N);";
+    const char* const kValues[] = {"P.x", "P.y", "P.z", "N.x", "N.y", "N.z"};
+    for (std::size_t i = 0; i < 6; ++i)
+      scene += fmt::format("#if ({} != {:.17g}) #error \"{}\" #end ", kValues[i], expected[i], kValues[i]);
+    return first_error(scene);
+  };
+  EXPECT_EQ(differs("<0.5,3.1,0.7>", "<0.2,-1,0.1>",
+                    {0.75752384419012708, 1.8123807790493649, 0.8287619220950635, -0.43997252295169559,
+                     0.46788386413716937, -0.76649127113594107}),
+            "");
+  EXPECT_EQ(differs("<3.3,1.2,-0.4>", "<-1.1,-0.1,0.7>",
+                    {0.69409875009924704, 0.96309988637265875, 1.2583007953913876, -0.92807325384291872,
+                     0.028623462921974045, 0.37129601785067945}),
+            "");
 }
 
 // As max_extent of POV-Ray has them: in binary32, with its roundings on the way.

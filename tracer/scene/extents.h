@@ -37,5 +37,6 @@ Transform cone_frame(const scene::Cone& cone);
 Transform disc_frame(const scene::Disc& disc);
 Transform polygon_frame(const scene::Polygon& polygon);
 Transform text_frame();
+Transform height_field_frame(const scene::HeightField& field);  // of its grid
 
 }  // namespace verisim::shapes

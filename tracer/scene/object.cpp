@@ -303,6 +303,8 @@ void compute_bounds(Object& object) {
     }
     if (const Polygon* polygon = object.as<Polygon>()) object.transform = shapes::polygon_frame(*polygon);
     if (object.as<std::shared_ptr<const Text>>()) object.transform = shapes::text_frame();
+    if (const auto* field = object.as<std::shared_ptr<const HeightField>>())
+      object.transform = shapes::height_field_frame(**field);
   }
   if (object.as<Csg>() || object.as<LightGroup>()) {
     if (auto* csg = object.as<Csg>()) {

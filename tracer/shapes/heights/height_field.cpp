@@ -2,6 +2,7 @@
 #include <bit>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/frame.h"
 #include "tracer/shapes/heights/height_packet.h"
 #include "tracer/shapes/heights/height_walk.h"
 #include "tracer/shapes/primitive.h"
@@ -21,12 +22,9 @@ class HeightField final : public Primitive<HeightField> {
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
     if (grid_->empty()) return;
-    // The ray in grid units; distances stay world distances.
-    Vec3 o = ray.origin, d = ray.direction;
-    if (has_matrix()) o = matrix().inverse_point(o), d = matrix().inverse_direction(d);
-    const Vec3 cells(scale_.x, scale_.y, scale_.z);
-    o = Vec3(o.x * cells.x, o.y * cells.y, o.z * cells.z), d = Vec3(d.x * cells.x, d.y * cells.y, d.z * cells.z);
-    const double low[3] = {0, grid_->bottom(), 0}, high[3] = {cells.x, grid_->top(), cells.z};
+    // The ray in grid units, as the matrix has them; distances stay world distances.
+    const Vec3 o = matrix().inverse_point(ray.origin), d = matrix().inverse_direction(ray.direction);
+    const double low[3] = {0, grid_->bottom(), 0}, high[3] = {grid_->width() - 1.0, grid_->top(), grid_->depth() - 1.0};
     double enter = kNearest, leave = 1e300;
     for (int k = 0; k < 3; ++k) {
       if (d[k] == 0) {
@@ -56,8 +54,8 @@ class HeightField final : public Primitive<HeightField> {
   bool contains(const Vec3& world_point) const {
     if (grid_->empty()) return false;
     const Vec3 p = local(world_point);
-    const double x = p.x * scale_.x, y = p.y * scale_.y, z = p.z * scale_.z;
-    if (!(x >= 0 && x < scale_.x && z >= 0 && z < scale_.z && y < grid_->top())) return false;
+    const double x = p.x, y = p.y, z = p.z;
+    if (!(x >= 0 && x < grid_->width() - 1 && z >= 0 && z < grid_->depth() - 1 && y < grid_->top())) return false;
     if (y < grid_->bottom()) return true;
     const int i = static_cast<int>(x), k = static_cast<int>(z);
     const double a = x - i, b = z - k;
@@ -68,27 +66,25 @@ class HeightField final : public Primitive<HeightField> {
   }
 
   Vec3 geometric_normal(const Hit& hit) const {
-    if (!grid_->smooth()) return object_normal(facet(static_cast<int>(hit.u), static_cast<int>(hit.v), hit.part));
+    if (!grid_->smooth()) return world_normal(facet(static_cast<int>(hit.u), static_cast<int>(hit.v), hit.part));
     const Vec3 p = local(hit.point);
-    const double x = p.x * scale_.x, z = p.z * scale_.z;
-    const int i = std::clamp(static_cast<int>(x), 0, grid_->width() - 2),
-              k = std::clamp(static_cast<int>(z), 0, grid_->depth() - 2);
-    const double a = x - i, b = z - k;
-    const auto corner = [&](int di, int dk) { return object_normal(grid_->smooth_normal(i + di, k + dk)); };
+    const int i = std::clamp(static_cast<int>(p.x), 0, grid_->width() - 2),
+              k = std::clamp(static_cast<int>(p.z), 0, grid_->depth() - 2);
+    const double a = p.x - i, b = p.z - k;
+    const auto corner = [&](int di, int dk) { return world_normal(grid_->smooth_normal(i + di, k + dk)); };
     return normalize((1 - b) * ((1 - a) * corner(0, 0) + a * corner(1, 0)) +
                      b * ((1 - a) * corner(0, 1) + a * corner(1, 1)));
   }
 
  private:
   HeightField(const scene::Object& description, std::shared_ptr<const HeightGrid> grid)
-      : Primitive(description, {box_of({grid->bottom(), grid->top()}), false}),
-        grid_(std::move(grid)),
-        scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
+      : Primitive(description, {grid_box(grid->width() - 1, grid->depth() - 1, {grid->bottom(), grid->top()}), false}),
+        grid_(std::move(grid)) {}
 
  public:
   void join_csg() { in_csg_ = true; }
-  static Box3 box_of(const HeightGrid::Limits& limits) {
-    return Box3({0, limits.bottom / 65536, 0}, {1, limits.top / 65536, 1});
+  static Box3 grid_box(double cells_x, double cells_z, const HeightGrid::Limits& limits) {
+    return Box3({0, limits.bottom, 0}, {cells_x, limits.top, cells_z});
   }
 
  private:
@@ -102,7 +98,6 @@ class HeightField final : public Primitive<HeightField> {
     const double h11 = grid_->at(i + 1, k + 1);
     return {h01 - h11, 1, h10 - h11};
   }
-  Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
 
   // Outside CSG the search ends at the first cell on the ray's way that has a hit, even if that is refused for being
   // too near, and even if the next cell has a nearer one within the edges' tolerance (spec 04 5.2).
@@ -112,7 +107,7 @@ class HeightField final : public Primitive<HeightField> {
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, Hit* hits) const {
     const HeightPacketKernels& kernels = height_packet_kernels();
     HeightPacket packet;
-    unsigned found = 0, rest = kernels.enter(*grid_, has_matrix() ? &matrix() : nullptr, rays, packet);
+    unsigned found = 0, rest = kernels.enter(*grid_, matrix(), rays, packet);
     const auto quadrant = [&](int k) { return (packet.dx[k] < 0 ? 1 : 0) | (packet.dz[k] < 0 ? 2 : 0); };
     while (rest != 0) {
       const int one = std::countr_zero(rest);
@@ -241,17 +236,24 @@ class HeightField final : public Primitive<HeightField> {
 
   bool in_csg_ = false;
   std::shared_ptr<const HeightGrid> grid_;
-  Vec3 scale_;  // object units to grid units
 };
 
 }  // namespace
 
 std::unique_ptr<Shape> compile_height_field(const scene::Object& object) {
-  return std::make_unique<HeightField>(object, *object.as<std::shared_ptr<const scene::HeightField>>());
+  return compile_in_frame<HeightField>(object, *object.as<std::shared_ptr<const scene::HeightField>>(),
+                                       [](const auto& field) { return height_field_frame(*field); });
 }
 void join_csg(Shape& shape) {
   if (auto* field = dynamic_cast<HeightField*>(&shape)) field->join_csg();
 }
-Box3 height_field_box(const scene::HeightField& field) { return HeightField::box_of(HeightGrid::limits(field)); }
+Box3 height_field_box(const scene::HeightField& field) {
+  const HeightGrid::Cells cells = HeightGrid::cells(field);
+  return HeightField::grid_box(cells.x, cells.z, HeightGrid::limits(field));
+}
+Transform height_field_frame(const scene::HeightField& field) {
+  const HeightGrid::Cells cells = HeightGrid::cells(field);
+  return Transform::scaling({1 / cells.x, 1 / 65536.0, 1 / cells.z});
+}
 
 }  // namespace verisim::shapes

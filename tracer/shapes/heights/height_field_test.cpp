@@ -110,8 +110,8 @@ TEST(HeightField, WaterLevel) {
   EXPECT_FALSE(s->inside({.7, .4, .3}));
   EXPECT_TRUE(s->inside({.7, -40, .3}));
   const Box3 b = height_field_box(f);
-  EXPECT_NEAR(b.min.y, 0.2, 2e-8);
-  EXPECT_NEAR(b.max.y, 0.499984771013260, 2e-8);
+  EXPECT_NEAR(b.min.y / 65536, 0.2, 2e-8);
+  EXPECT_NEAR(b.max.y / 65536, 0.499984771013260, 2e-8);
 }
 
 TEST(HeightField, ThePyramidFindsTheNearestHit) {
@@ -227,7 +227,8 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
     auto o = object(f);
     const auto plain = compile(o);
     auto turned = o;
-    turned.transform = Transform::scaling({1.2, -0.8, 0.9}).then(Transform::rotation({10, 50, 30}));
+    turned.transform =
+        height_field_frame(f).then(Transform::scaling({1.2, -0.8, 0.9})).then(Transform::rotation({10, 50, 30}));
     const auto moved = compile(turned);
     const HeightGrid grid(f);
     for (int round = 0; round < 3000; ++round) {
@@ -261,7 +262,7 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
       for (int set = 0; set <= simd::best_instruction_set(); ++set) {
         const HeightPacketKernels& kernels = *height_packet_kernels(set);
         HeightPacket packet;
-        unsigned inside = kernels.enter(grid, nullptr, lanes, packet), group = 0;
+        unsigned inside = kernels.enter(grid, height_field_frame(f), lanes, packet), group = 0;
         each_lane(inside, [&](int k) { group |= packet.dx[k] < 0 && packet.dz[k] >= 0 ? 1u << k : 0; });
         if (group == 0 || !kernels.walk(grid, group, t_min, t_max, false, packet)) continue;
         each_lane(group, [&](int k) {
@@ -323,7 +324,7 @@ TEST(HeightField, SmoothNormalsAreUnitLength) {
       field(function_image(9, 9, [](double x, double y) { return 0.5 + 0.3 * std::sin(5 * x) * std::cos(4 * y); }));
   f.smooth = true;
   auto o = object(f);
-  o.transform = Transform::scaling({3, 0.8, 3}).then(Transform::rotation({10, 20, 30}));
+  o.transform = height_field_frame(f).then(Transform::scaling({3, 0.8, 3})).then(Transform::rotation({10, 20, 30}));
   const auto hit = trace(o, Vec3(3, 9, 1), Vec3(-0.2, -1, 0.05));
   ASSERT_TRUE(hit);
   EXPECT_NEAR(length(hit->normal), 1, 1e-12);

@@ -17,6 +17,11 @@ HeightGrid::Limits HeightGrid::limits(const scene::HeightField& field) {
   return {std::max<double>(map.lowest, field.water_level * 65536) - 0.001, map.highest + 0.001};
 }
 
+HeightGrid::Cells HeightGrid::cells(const scene::HeightField& field) {
+  const auto between = [](int heights) { return std::max(heights - 1.0, 1.0); };
+  return field.map ? Cells{between(field.map->width), between(field.map->depth)} : Cells{1, 1};
+}
+
 HeightGrid::HeightGrid(const scene::HeightField& field)
     : map_(field.map), water_(field.water_level * 65536), limits_(limits(field)) {
   if (!map_) return;

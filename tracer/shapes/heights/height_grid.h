@@ -34,6 +34,10 @@ class HeightGrid {
     double bottom, top;
   };
   static Limits limits(const scene::HeightField& field);
+  struct Cells {
+    double x, z;
+  };
+  static Cells cells(const scene::HeightField& field);  // how many there are along each side
 
   // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have
   // low > high.

@@ -22,8 +22,8 @@ struct alignas(64) HeightPacket {
 };
 
 struct HeightPacketKernels {
-  // Sets the rays; the lanes that meet the box. `matrix`: from the field's own space, null: none.
-  unsigned (*enter)(const HeightGrid& grid, const Transform* matrix, const RayPacket& rays, HeightPacket& packet);
+  // Sets the rays; the lanes that meet the box. `matrix`: from grid units.
+  unsigned (*enter)(const HeightGrid& grid, const Transform& matrix, const RayPacket& rays, HeightPacket& packet);
   // Sets the hits of `lanes`, which agree in the signs of dx and dz, with t_min <= t < t_max; `any`: not the nearest,
   // but any. False: they do not make a thick ray, nothing is done.
   bool (*walk)(const HeightGrid& grid, unsigned lanes, double t_min, const double* t_max, bool any,

@@ -27,23 +27,21 @@ HWY_INLINE double least(const Packet& v) {
 }
 HWY_INLINE double most(const Packet& v) { return -least(-v); }
 
-unsigned enter(const HeightGrid& grid, const Transform* matrix, const RayPacket& rays, HeightPacket& p) {
+unsigned enter(const HeightGrid& grid, const Transform& matrix, const RayPacket& rays, HeightPacket& p) {
   const int first = rays.first;
-  Packet o[3] = {load(rays.rays.origin.x + first), load(rays.rays.origin.y + first), load(rays.rays.origin.z + first)};
-  Packet d[3] = {load(rays.rays.direction.x + first), load(rays.rays.direction.y + first),
-                 load(rays.rays.direction.z + first)};
-  if (matrix) {
-    const Mat4& a = matrix->inv;
-    const Packet x = o[0], y = o[1], z = o[2], dx = d[0], dy = d[1], dz = d[2];
-    for (int i = 0; i < 3; ++i)
-      o[i] = x * a[0][i] + y * a[1][i] + z * a[2][i] + a[3][i], d[i] = dx * a[0][i] + dy * a[1][i] + dz * a[2][i];
-  }
+  const Packet x = load(rays.rays.origin.x + first), y = load(rays.rays.origin.y + first),
+               z = load(rays.rays.origin.z + first);
+  const Packet dx = load(rays.rays.direction.x + first), dy = load(rays.rays.direction.y + first),
+               dz = load(rays.rays.direction.z + first);
+  const Mat4& m = matrix.inv;
+  Packet o[3], d[3];
+  for (int i = 0; i < 3; ++i)
+    o[i] = x * m[0][i] + y * m[1][i] + z * m[2][i] + m[3][i], d[i] = dx * m[0][i] + dy * m[1][i] + dz * m[2][i];
   const double cells[3] = {grid.width() - 1.0, 65536, grid.depth() - 1.0};
   const double low[3] = {0, grid.bottom(), 0}, high[3] = {cells[0], grid.top(), cells[2]};
   Packet enter = kHeightFieldNearest, leave = 1e300;
   Mask met = Mask::of_bits(rays.active);
   for (int i = 0; i < 3; ++i) {
-    o[i] *= cells[i], d[i] *= cells[i];
     const Mask level = d[i] == 0;
     const Packet a = (low[i] - o[i]) / d[i], b = (high[i] - o[i]) / d[i];
     enter = select(level, enter, max(enter, min(a, b)));

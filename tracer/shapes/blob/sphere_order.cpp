@@ -71,6 +71,8 @@ std::size_t left_part(std::span<const Node> range) {
 
 void split(std::span<Node> range, std::vector<Node>& nodes) {
   const int axis = longest_axis(range);
+  // Of equal ones POV-Ray's sort puts the later first.
+  std::reverse(range.begin(), range.end());
   std::stable_sort(range.begin(), range.end(),
                    [axis](const Node& a, const Node& b) { return a.sphere.center[axis] < b.sphere.center[axis]; });
   const std::size_t left = left_part(range);

@@ -323,8 +323,8 @@ TEST(Modifiers, BoundsCutDownBoxesOfCopiesOfBlobsAndHeightFields) {
 TEST(Objects, HeightFieldsAreHitWherePovRayHitsThem) {
   const auto differs = [](const char* from, const char* along, const std::array<double, 6>& expected) {
     std::string scene =
-        "#version 3.7; #declare N=0*x; #declare P=trace(height_field{function 50,20{0.5+0.3*sin(9*x)*cos(7*y)} scale 2 "
-        "rotate <10,20,30> translate <0.1,0.2,0.3>}, " +
+        "#version 3.7; #declare N=0*x; #declare O=height_field{function 50,20{0.5+0.3*sin(9*x)*cos(7*y)} scale 2 "
+        "rotate <10,20,30> translate <0.1,0.2,0.3>} #declare P=trace(O, " +
         std::string(from) + ", " + along + ", N);";
     const char* const kValues[] = {"P.x", "P.y", "P.z", "N.x", "N.y", "N.z"};
     for (std::size_t i = 0; i < 6; ++i)

@@ -48,8 +48,7 @@ class Union {
   }
   Bounds bounds() const {
     Bounds b;
-    for (std::size_t i = 0; i < 3; ++i)
-      b.low[i] = low_[i], b.size[i] = static_cast<float>(length(i));
+    for (std::size_t i = 0; i < 3; ++i) b.low[i] = low_[i], b.size[i] = static_cast<float>(length(i));
     return b;
   }
 
@@ -177,8 +176,7 @@ void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vect
     Union from_left;
     for (std::size_t i = 0; i + 1 < n; ++i) {
       from_left.add(range[i].bounds);
-      const double cost =
-          static_cast<double>(i + 1) * from_left.area() + static_cast<double>(n - 1 - i) * areas[i + 1];
+      const double cost = static_cast<double>(i + 1) * from_left.area() + static_cast<double>(n - 1 - i) * areas[i + 1];
       if (cost < least) least = cost, best = i;
     }
   }

@@ -16,8 +16,6 @@ constexpr std::size_t kLeafSize = 4;  // ranges of so few entries are not divide
 constexpr float kEmptyLimit = 1e10f;
 constexpr double kBehind = 1e-10;  // boxes that end nearer are behind the ray
 
-float area(const Bounds& b) { return b.size[0] * (b.size[1] + b.size[2]) + b.size[1] * b.size[2]; }
-
 // Ascending by the upper halves; the lower ones, ascending before, keep their order where those are equal.
 void sort_keys(std::vector<std::uint64_t>& keys) {
   constexpr std::size_t kMany = 2000;  // from here on a sort by digits is the faster one
@@ -43,14 +41,20 @@ class Union {
       high_[i] = std::max(high_[i], static_cast<double>(b.low[i]) + static_cast<double>(b.size[i]));
     }
   }
+  // Half the surface, before lengths are rounded: parts of symmetric scenes are equally good but for its last bits.
+  double area() const {
+    const double x = length(0), y = length(1), z = length(2);
+    return x * (y + z) + y * z;
+  }
   Bounds bounds() const {
     Bounds b;
-    for (std::size_t i = 0; i < 3; ++i)
-      b.low[i] = low_[i], b.size[i] = static_cast<float>(high_[i] - static_cast<double>(low_[i]));
+    for (std::size_t i = 0; i < 3; ++i) b.low[i] = low_[i], b.size[i] = static_cast<float>(length(i));
     return b;
   }
 
  private:
+  double length(std::size_t axis) const { return high_[axis] - static_cast<double>(low_[axis]); }
+
   float low_[3] = {kEmptyLimit, kEmptyLimit, kEmptyLimit};
   double high_[3] = {-kEmptyLimit, -kEmptyLimit, -kEmptyLimit};
 };
@@ -146,7 +150,7 @@ void Hierarchy::sort_by_middle(std::span<Boxed> range, std::size_t axis) {
 
 // Divides a range by the surface areas of its parts, appends the nodes that it ends in. `areas`: room for one number
 // each.
-void Hierarchy::split(std::span<Boxed> range, std::span<float> areas, std::vector<Boxed>& nodes) {
+void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vector<Boxed>& nodes) {
   const std::size_t n = range.size();
   // The longest axis; but what ends further away counts with its lower corner.
   std::size_t axis = 0;
@@ -166,14 +170,13 @@ void Hierarchy::split(std::span<Boxed> range, std::span<float> areas, std::vecto
     Union from_right;
     for (std::size_t i = n; i-- > 0;) {
       from_right.add(range[i].bounds);
-      areas[i] = area(from_right.bounds());
+      areas[i] = from_right.area();
     }
-    float least = areas[0] * (static_cast<float>(n) - 3);
+    double least = areas[0] * (static_cast<double>(n) - 3);
     Union from_left;
     for (std::size_t i = 0; i + 1 < n; ++i) {
       from_left.add(range[i].bounds);
-      const float cost =
-          static_cast<float>(i + 1) * area(from_left.bounds()) + static_cast<float>(n - 1 - i) * areas[i + 1];
+      const double cost = static_cast<double>(i + 1) * from_left.area() + static_cast<double>(n - 1 - i) * areas[i + 1];
       if (cost < least) least = cost, best = i;
     }
   }
@@ -196,7 +199,7 @@ Hierarchy::Hierarchy(std::span<const Item> items) {
     (item.infinite ? infinite : finite).push_back({item.bounds, static_cast<std::uint32_t>(nodes_.size())});
     nodes_.push_back(leaf);
   }
-  std::vector<float> areas(finite.size());
+  std::vector<double> areas(finite.size());
   std::vector<Boxed> level;
   if (!finite.empty()) split(finite, areas, level);
   while (level.size() > 1) {

@@ -115,7 +115,7 @@ class Hierarchy {
   };
   static void sort_by_middle(std::span<Boxed> range, std::size_t axis);
   Boxed add_node(std::span<const Boxed> children);
-  void split(std::span<Boxed> range, std::span<float> areas, std::vector<Boxed>& nodes);
+  void split(std::span<Boxed> range, std::span<double> areas, std::vector<Boxed>& nodes);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> children_;

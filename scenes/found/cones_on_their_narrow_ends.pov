@@ -3,7 +3,7 @@
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 camera { location <0, -4, -7> look_at <0, 0.4, 0> angle 40 }
-light_source { <5, -10, -9>, 1 }
+light_source { <5, -10, -9>, 1 shadowless }
 plane { y, 0 pigment { checker rgb <0.2, 0.5, 1> rgb <0.9, 0.9, 0.3> scale 0.2 } }
 #declare Red = texture { pigment { rgb <1, 0.2, 0.1> filter 0.5 } finish { ambient 0.3 } }
 #declare I = 0;

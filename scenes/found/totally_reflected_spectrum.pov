@@ -1,7 +1,7 @@
 // Where light leaves glass of dispersion, the wavelengths that are totally reflected stay white: they are split anew
 // where they leave at last (spec 06 6.5). The camera is in the glass. Later reflections keep the wavelength.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 7 }
+global_settings { assumed_gamma 1 max_trace_level 4 }
 camera { location <0, -1, 0> direction <0, 0.66, 0.75> right 0.9*x up 0.7*y }
 sky_sphere {
   pigment { gradient y color_map { [0 rgb <1, 0.9, 0.8>] [1 rgb <0, 0.1, 0.3>] } }

@@ -121,7 +121,7 @@ void sort_photons(std::span<Photon> photons) {
 }
 
 void WrongPlanes::build(std::span<const Photon> sorted) {
-  std::vector<std::pair<std::uint32_t, Plane>> found;
+  planes_.clear();
   for_each_range(sorted.size(), [&](const Range& r) {
     const std::size_t middle = r.middle();
     const std::uint8_t axis = sorted[middle].axis;
@@ -129,22 +129,23 @@ void WrongPlanes::build(std::span<const Photon> sorted) {
     for (std::size_t i = r.first; i <= r.last; ++i) {
       const float x = sorted[i].position[axis];
       if (i < middle ? x > at : x < at)
-        found.push_back({static_cast<std::uint32_t>(i), {at, static_cast<std::uint32_t>(middle), axis, i > middle}});
+        planes_.push_back({static_cast<std::uint32_t>(i), at, static_cast<std::uint32_t>(middle), axis, i > middle});
     }
   });
-  std::ranges::stable_sort(found, {}, [](const auto& f) { return f.first; });
-  first_.assign(sorted.size() + 1, 0);
-  planes_.clear();
+  std::ranges::stable_sort(planes_, {}, &Plane::photon);
+  first_.clear();
+  for (std::size_t i = 0, k = 0; i < sorted.size(); i += kBlock) {
+    while (k < planes_.size() && planes_[k].photon < i) ++k;
+    first_.push_back(static_cast<std::uint32_t>(k));
+  }
   overhang_.assign(sorted.size(), -std::numeric_limits<float>::infinity());
   largest_overhang_ = -std::numeric_limits<double>::infinity();
-  for (const auto& [i, plane] : found) {
-    ++first_[i + 1], planes_.push_back(plane);
-    const double overhang = std::fabs(static_cast<double>(sorted[i].position[plane.axis]) - plane.at);
-    overhang_[i] =
-        std::max(overhang_[i], std::nextafter(static_cast<float>(overhang), std::numeric_limits<float>::infinity()));
+  for (const Plane& plane : planes_) {
+    const double overhang = std::fabs(static_cast<double>(sorted[plane.photon].position[plane.axis]) - plane.at);
+    overhang_[plane.photon] = std::max(
+        overhang_[plane.photon], std::nextafter(static_cast<float>(overhang), std::numeric_limits<float>::infinity()));
     largest_overhang_ = std::max(largest_overhang_, overhang);
   }
-  for (std::size_t i = 0; i < sorted.size(); ++i) first_[i + 1] += first_[i];
 }
 
 void WrongPlanes::drop_hidden(const Vec3& p, double radius, std::size_t from, PhotonDistances& list) const {

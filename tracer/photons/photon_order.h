@@ -42,7 +42,9 @@ class WrongPlanes {
   // visit returns true; then returns that.
   template <class Visit>
   bool for_each_hiding(std::size_t i, const Vec3& p, double squared, Visit&& visit) const {
-    for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
+    std::size_t k = first_[i / kBlock];
+    while (k < planes_.size() && planes_[k].photon < i) ++k;
+    for (; k < planes_.size() && planes_[k].photon == i; ++k) {
       const Plane& plane = planes_[k];
       const double d = p[plane.axis] - plane.at;
       if ((d < 0.0) == plane.from_below && d * d >= squared && !visit(plane.node, d * d)) return false;
@@ -52,6 +54,7 @@ class WrongPlanes {
 
  private:
   struct Plane {
+    std::uint32_t photon;  // which it hides
     float at;
     std::uint32_t node;
     std::uint8_t axis;
@@ -59,8 +62,9 @@ class WrongPlanes {
   };
   std::vector<float> overhang_;
   double largest_overhang_ = 0;
-  std::vector<std::uint32_t> first_;
-  std::vector<Plane> planes_;  // those of photon i from first_[i] on
+  static constexpr std::size_t kBlock = 16;
+  std::vector<Plane> planes_;         // by photons; few photons have any
+  std::vector<std::uint32_t> first_;  // where those of a block of photons begin
 };
 
 // The first of ascending numbers that is not smaller than `least`; `end` if there is none. Without branches that cannot

@@ -5,8 +5,8 @@
 
 #include "cli/console/exit_status.h"
 #include "cli/process_fixture.h"
-#include "cli/settings/own_options.h"
-#include "cli/settings/switch_help.h"
+#include "cli/settings/reading/own_options.h"
+#include "cli/settings/reading/switch_help.h"
 
 namespace verisim::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cli/settings/animation.h"
-#include "cli/settings/ini.h"
+#include "cli/settings/reading/ini.h"
 #include "cli/settings/output_name.h"
 #include "cli/settings/region.h"
 

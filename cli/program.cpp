@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands/commands.h"
-#include "cli/settings/own_options.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/own_options.h"
+#include "cli/settings/reading/scene_words.h"
 #include "cli/settings/text.h"
 #include "tracer/simd/instruction_sets.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands/commands.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/commands/own_program.h"
 
 namespace verisim::cli {

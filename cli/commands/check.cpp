@@ -15,8 +15,8 @@
 #include "cli/frame/frame.h"
 #include "cli/lints/lints.h"
 #include "cli/sandbox/sandbox.h"
-#include "cli/settings/own_options.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/own_options.h"
+#include "cli/settings/reading/scene_words.h"
 #include "parser/source/suggest.h"
 #include "tracer/render/requirements.h"
 

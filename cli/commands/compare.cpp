@@ -13,10 +13,10 @@
 #include "cli/console/interrupt.h"
 #include "cli/sandbox/sandbox.h"
 #include "cli/commands/layer_limits.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/settings/process_limits.h"
 #include "cli/commands/own_program.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/scene_words.h"
 #include "compare/oracle/content_hash.h"
 #include "compare/regression/command_renderer.h"
 

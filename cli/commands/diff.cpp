@@ -9,7 +9,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/commands/layer_limits.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "compare/compare.h"
 #include "compare/regression/folders.h"
 #include "compare/report/corner_page.h"

@@ -13,7 +13,7 @@
 #include "cli/commands/commands.h"
 #include "cli/commands/own_program.h"
 #include "cli/console/interrupt.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "compare/compare.h"
 #include "compare/oracle/process.h"
 #include "compare/reduce/reduce.h"

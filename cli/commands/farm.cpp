@@ -18,8 +18,8 @@
 #include "cli/farm/submit.h"
 #include "cli/farm/task_script.h"
 #include "cli/farm/wait.h"
-#include "cli/settings/own_options.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/own_options.h"
+#include "cli/settings/reading/scene_words.h"
 #include "cli/settings/text.h"
 
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands/commands.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/settings/text.h"
 #include "parser/keywords/keywords.h"
 #include "parser/lexer/words.h"

@@ -6,8 +6,8 @@
 #include "cli/commands/commands.h"
 #include "cli/commands/own_program.h"
 #include "cli/lints/lints.h"
-#include "cli/settings/own_options.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/own_options.h"
+#include "cli/settings/reading/scene_words.h"
 
 namespace verisim::cli {
 

@@ -9,7 +9,7 @@
 #include "cli/console/exit_status.h"
 #include "cli/console/interrupt.h"
 #include "cli/parts/merge.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 
 namespace verisim::cli {
 

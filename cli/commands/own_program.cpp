@@ -1,7 +1,7 @@
 #include "cli/commands/own_program.h"
 
-#include "cli/settings/ini.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/ini.h"
+#include "cli/settings/reading/scene_words.h"
 
 namespace fs = std::filesystem;
 

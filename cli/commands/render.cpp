@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "cli/commands/commands.h"
-#include "cli/settings/configuration.h"
+#include "cli/settings/reading/configuration.h"
 #include "cli/frame/frame.h"
 #include "cli/settings/frame_list.h"
-#include "cli/settings/ini.h"
+#include "cli/settings/reading/ini.h"
 #include "cli/settings/output_name.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/sandbox/sandbox.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/scene_words.h"
 #include "cli/console/shellout.h"
 #include "cli/frame/statistics.h"
 #include "tracer/base/output_file.h"

@@ -8,7 +8,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/commands/view.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/settings/process_limits.h"
 #include "cli/sandbox/sandbox.h"
 #include "compare/regression/review.h"

@@ -13,9 +13,9 @@
 #include "cli/commands/own_program.h"
 #include "cli/commands/view.h"
 #include "cli/sandbox/sandbox.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/settings/process_limits.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/scene_words.h"
 
 namespace verisim::cli {
 

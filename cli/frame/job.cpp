@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "cli/settings/configuration.h"
+#include "cli/settings/reading/configuration.h"
 #include "cli/settings/part_option.h"
 #include "cli/settings/process_limits.h"
-#include "cli/settings/switches.h"
+#include "cli/settings/reading/switches.h"
 #include "parser/source/confinement.h"
 
 namespace verisim::cli {

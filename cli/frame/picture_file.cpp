@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "cli/settings/source_date.h"
-#include "cli/settings/switches.h"
-#include "tracer/image/layers_file.h"
+#include "cli/settings/reading/switches.h"
+#include "tracer/image/formats/layers_file.h"
 
 namespace fs = std::filesystem;
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/parts/fingerprint.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/scene_words.h"
 
 namespace fs = std::filesystem;
 

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "cli/describe/including_scene.h"
-#include "cli/settings/configuration.h"
+#include "cli/settings/reading/configuration.h"
 #include "parser/source/standard_includes.h"
 #include "parser/source/suggest.h"
 

@@ -11,10 +11,10 @@
 
 #include "cli/parts/part_file.h"
 #include "cli/settings/layers_option.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/scene_words.h"
 #include "cli/settings/source_date.h"
 #include "tracer/base/output_file.h"
-#include "tracer/image/layers_file.h"
+#include "tracer/image/formats/layers_file.h"
 
 namespace fs = std::filesystem;
 

@@ -11,7 +11,7 @@
 #include "cli/sandbox/private_folder.h"
 #include "cli/sandbox/system_calls.h"
 #include "cli/settings/animation.h"
-#include "cli/settings/configuration.h"
+#include "cli/settings/reading/configuration.h"
 #include "cli/settings/output_name.h"
 #include "cli/settings/process_limits.h"
 #include "parser/source/confinement.h"

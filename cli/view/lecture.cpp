@@ -13,7 +13,7 @@
 #include "cli/describe/stored_pixel.h"
 #include "cli/frame/frame.h"
 #include "cli/rays/ray_tree.h"
-#include "cli/settings/switches.h"
+#include "cli/settings/reading/switches.h"
 #include "compare/bounded_json.h"
 #include "compare/report/display.h"
 #include "tracer/render/explain.h"

@@ -15,7 +15,7 @@
 #include "cli/help/help.h"
 #include "cli/sandbox/private_folder.h"
 #include "cli/sandbox/sandbox.h"
-#include "cli/settings/own_options.h"
+#include "cli/settings/reading/own_options.h"
 #include "cli/settings/output_name.h"
 #include "cli/view/lecture.h"
 #include "cli/view/live_picture.h"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/sandbox/sandbox.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/reading/scene_words.h"
 #include "compare/metrics/flip.h"
 
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 
 #include "compare/compare.h"
 #include "compare/metrics/row_window.h"
-#include "tracer/image/png.h"
+#include "tracer/image/formats/png.h"
 
 namespace verisim::compare {
 namespace {

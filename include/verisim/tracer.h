@@ -5,7 +5,7 @@
 #pragma once
 
 #include "tracer/film/layers.h"
-#include "tracer/image/layers_file.h"
+#include "tracer/image/formats/layers_file.h"
 #include "tracer/image/output.h"
 #include "tracer/image/in_memory.h"
 #include "tracer/render/render.h"

@@ -17,8 +17,8 @@
 #include "python/src/errors.h"
 #include "python/src/json.h"
 #include "python/src/plane.h"
-#include "tracer/image/layers_file.h"
-#include "tracer/image/png.h"
+#include "tracer/image/formats/layers_file.h"
+#include "tracer/image/formats/png.h"
 
 namespace py = pybind11;
 

@@ -1,6 +1,6 @@
 #include "tests/fuzz/targets.h"
 
-#include "cli/settings/ini.h"
+#include "cli/settings/reading/ini.h"
 #include "tests/fuzz/promise.h"
 
 namespace verisim::fuzz {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "tracer/image/module/module.h"
-#include "tracer/image/raw_image.h"
+#include "tracer/image/formats/raw_image.h"
 
 namespace verisim::image {
 namespace {

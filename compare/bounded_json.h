@@ -11,10 +11,10 @@ namespace verisim::compare {
 // recursion, and a stack is not as deep as a file is long.
 template <class Json = nlohmann::json, class Input>
 Json bounded_json(Input&& input) {
-  constexpr int kMostLevels = 200;
+  constexpr int kMaxLevels = 200;
   struct TooDeep {};
   const auto look = [](int depth, typename Json::parse_event_t, Json&) {
-    if (depth > kMostLevels) throw TooDeep();
+    if (depth > kMaxLevels) throw TooDeep();
     return true;
   };
   try {

@@ -141,7 +141,7 @@ class Integrator {
                      int level) {
     const double d2 = middle_of(d1, d3);
     const MediaSample s2 = sample(span, jittered(d2, d3 - d1), false);
-    return mean_of_stretch(
+    return mean_of_interval(
         s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine(span, s1, d1, s2, d2, level - 1); },
         [&] { return refine(span, s2, d2, s3, d3, level - 1); });
   }

@@ -185,7 +185,7 @@ MediaSample MediaBatch::refine_alone(std::uint32_t interval, const MediaSample& 
   const Question question{interval, d2};
   MediaSample s2;
   ask({&question, 1}, &s2);
-  return mean_of_stretch(
+  return mean_of_interval(
       s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine_alone(interval, s1, d1, s2, d2, level - 1); },
       [&] { return refine_alone(interval, s2, d2, s3, d3, level - 1); });
 }

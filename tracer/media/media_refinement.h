@@ -36,8 +36,8 @@ inline double middle_of(double d1, double d3) { return 0.5 * (d1 + d3); }
 // The mean over an interval with a sample at either end and in the middle; left() and right(): those over its halves,
 // where the brightness changes.
 template <class Left, class Right>
-MediaSample mean_of_stretch(const MediaSample& s1, const MediaSample& s2, const MediaSample& s3, int level,
-                            double threshold, Left&& left, Right&& right) {
+MediaSample mean_of_interval(const MediaSample& s1, const MediaSample& s2, const MediaSample& s3, int level,
+                             double threshold, Left&& left, Right&& right) {
   if (level <= 0) return (s1 + s2 + s3) * (1.0f / 3.0f);
   const MediaSample before =
       needs_refinement(s1, s2, threshold) ? left() * 0.5f : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
@@ -102,7 +102,7 @@ class MediaRefinement {
       return child >= 0 ? mean(static_cast<std::size_t>(child), level - 1, threshold, alone)
                         : alone(s, s1, d1, s3, d3, level - 1);
     };
-    return mean_of_stretch(
+    return mean_of_interval(
         s.s1, s.s2, s.s3, level, threshold, [&] { return half(s.left, s.s1, s.d1, s.s2, s.middle()); },
         [&] { return half(s.right, s.s2, s.middle(), s.s3, s.d3); });
   }

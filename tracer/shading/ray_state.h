@@ -6,7 +6,7 @@
 
 namespace verisim::shading {
 
-// The interiors a ray is inside, newest last: a stretch of its Tracer's stack (Tracer::interiors).
+// The interiors a ray is inside, newest last: a part of its Tracer's stack (Tracer::interiors).
 struct InteriorRange {
   std::uint32_t begin = 0, count = 0;
 };

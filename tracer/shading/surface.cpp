@@ -73,7 +73,7 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
   const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
   const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
-  // Nested hits use the same list, so its entries are copied to this call's stretch of the selection stack.
+  // Nested hits use the same list, so its entries are copied to this call's part of the selection stack.
   weighted_.clear();
   if (surface.shows_several()) scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
   at.keeps_lights = !(weighted_.empty() && texture && !texture->patterned() && texture->layers.size() == 1);

@@ -14,7 +14,7 @@ namespace verisim::shapes {
 namespace kept_point {
 
 inline constexpr int kBits = 21;  // of each coordinate
-inline constexpr std::int64_t kMost = (std::int64_t{1} << (kBits - 1)) - 1;
+inline constexpr std::int64_t kMax = (std::int64_t{1} << (kBits - 1)) - 1;
 
 // Numbers in their order: neighbours differ by 1.
 inline std::int64_t rank(double x) {
@@ -32,7 +32,7 @@ inline double keep_point(const Vec3& point, const Vec3& back) {
   for (int x = 0; x < 3; ++x) {
     const auto steps = static_cast<std::int64_t>(static_cast<std::uint64_t>(rank(point[x])) -
                                                  static_cast<std::uint64_t>(rank(back[x])));
-    kept = kept << kBits | static_cast<std::uint64_t>((steps >= -kMost && steps <= kMost ? steps : 0) + kMost);
+    kept = kept << kBits | static_cast<std::uint64_t>((steps >= -kMax && steps <= kMax ? steps : 0) + kMax);
   }
   return std::bit_cast<double>(kept);
 }
@@ -42,7 +42,7 @@ inline Vec3 kept_point_of(double kept, const Vec3& back) {
   auto bits = std::bit_cast<std::uint64_t>(kept);
   Vec3 point = back;
   for (int x = 2; x >= 0; --x, bits >>= kBits)
-    point[x] = of_rank(rank(back[x]) + static_cast<std::int64_t>(bits & ((1u << kBits) - 1)) - kMost);
+    point[x] = of_rank(rank(back[x]) + static_cast<std::int64_t>(bits & ((1u << kBits) - 1)) - kMax);
   return point;
 }
 

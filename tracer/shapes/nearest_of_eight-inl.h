@@ -1,4 +1,4 @@
-// What kernels report crossings of eight rays to (crossings.h).
+// What kernels report intersections of eight rays to (intersections.h).
 // Included once for each target by kernels.
 #if defined(VERISIM_SHAPES_NEAREST_OF_EIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VERISIM_SHAPES_NEAREST_OF_EIGHT_INL_H
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-// Keeps what NearestHit keeps of each ray. kInOrder: crossings come by distance, so that the first of equal ones
+// Keeps what NearestHit keeps of each ray. kInOrder: intersections come by distance, so that the first of equal ones
 // counts.
 template <bool kInOrder>
 class NearestOfEight {

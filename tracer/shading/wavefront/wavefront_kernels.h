@@ -9,7 +9,7 @@
 
 namespace verisim::shading {
 
-// One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole
+// A part of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole
 // registers: what stands behind is any number.
 struct alignas(64) WavefrontPacket {
   static constexpr int kMax = RayBatch::kMax, kStep = RayBatch::kStep;

@@ -3,7 +3,7 @@
 
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/algebraic/torus_packet.h"
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "tracer/shapes/algebraic/torus_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/local_rays-inl.h"
 #include "tracer/simd/kernel_table.h"
 

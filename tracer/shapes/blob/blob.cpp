@@ -62,17 +62,17 @@ class Blob final : public SearchPrimitive<Blob> {
     if (admitted == 0) return 0;
     LocalPacket l;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
-    constexpr std::size_t kMost = 192;
-    static_assert(kMost >= BlobParts::kMaxInSpheres);
-    PiecePacket met[kMost];
+    constexpr std::size_t kMax = 192;
+    static_assert(kMax >= BlobParts::kMaxInSpheres);
+    PiecePacket met[kMax];
     const std::size_t count = spheres_.empty()
-                                  ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMost)
+                                  ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMax)
                                   : blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
     if (count == 0) return 0;
     unsigned found = 0;
     each_lane(admitted, [&](int k) {
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      if (count > kMost) {
+      if (count > kMax) {
         intersections(rays.at(k), sink);
         found |= sink.found() ? 1u << k : 0;
         return;

@@ -9,7 +9,7 @@
 #endif
 
 #include "tracer/math/packet_vector-inl.h"
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/csg/csg_tree.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -20,10 +20,10 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-#include "tracer/shapes/quadrics/box_crossings.inc"
-#include "tracer/shapes/quadrics/cone_crossings.inc"
-#include "tracer/shapes/quadrics/quadric_crossings.inc"
-#include "tracer/shapes/quadrics/sphere_crossings.inc"
+#include "tracer/shapes/quadrics/box_intersections.inc"
+#include "tracer/shapes/quadrics/cone_intersections.inc"
+#include "tracer/shapes/quadrics/quadric_intersections.inc"
+#include "tracer/shapes/quadrics/sphere_intersections.inc"
 
 template <class Number>
 HWY_INLINE Vec3 lane_of(const PacketVector<Number>& p, int k) {

@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "tracer/shapes/csg/csg_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
-#include "tracer/shapes/csg/csg_crossings-inl.h"
+#include "tracer/shapes/csg/csg_intersections-inl.h"
 #include "tracer/simd/kernel_table.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -52,10 +52,10 @@ BoxCache& box_cache() {
 // The corners of neighbouring cells, each once: functions are evaluated there for all cells together.
 class Corners {
  public:
-  static constexpr std::size_t kMostCells = 64, kMost = 4 * kMostCells;
+  static constexpr std::size_t kMaxCells = 64, kMax = 4 * kMaxCells;
 
   std::size_t count() const { return count_; }
-  // For Function::evaluate_batch, with a stride of kMost.
+  // For Function::evaluate_batch, with a stride of kMax.
   const double* arguments() const { return arguments_.data(); }
   // The number of a corner, which is added if it is new.
   std::uint16_t number_of(const Vec2& at) {
@@ -63,19 +63,19 @@ class Corners {
     for (std::size_t place = (u ^ std::rotl(v, 21)) * 0x9e3779b97f4a7c15u >> 55;; ++place) {
       std::uint16_t& number = places_[place % places_.size()];
       if (number == 0) {  // free
-        arguments_[count_] = at.x, arguments_[kMost + count_] = at.y;
+        arguments_[count_] = at.x, arguments_[kMax + count_] = at.y;
         return static_cast<std::uint16_t>((number = static_cast<std::uint16_t>(++count_)) - 1);
       }
       if (std::bit_cast<std::uint64_t>(arguments_[number - 1u]) == u &&
-          std::bit_cast<std::uint64_t>(arguments_[kMost + number - 1u]) == v)
+          std::bit_cast<std::uint64_t>(arguments_[kMax + number - 1u]) == v)
         return static_cast<std::uint16_t>(number - 1);
     }
   }
   void clear() { count_ = 0, places_.fill(0); }
 
  private:
-  std::array<double, 3 * kMost> arguments_{};  // the third is zero
-  std::array<std::uint16_t, 2 * kMost> places_{};
+  std::array<double, 3 * kMax> arguments_{};  // the third is zero
+  std::array<std::uint16_t, 2 * kMax> places_{};
   std::size_t count_ = 0;
 };
 
@@ -229,7 +229,7 @@ class Parametric final : public Primitive<Parametric> {
       std::uint64_t node;
       std::array<std::uint16_t, 4> corners;
     };
-    std::array<Leaf, Corners::kMostCells> leaf;
+    std::array<Leaf, Corners::kMaxCells> leaf;
     std::size_t count = 0;
     Corners corners;
   };
@@ -244,10 +244,10 @@ class Parametric final : public Primitive<Parametric> {
     if (leaves.count == leaves.leaf.size()) tabulate(leaves);
   }
   void tabulate(Leaves& leaves) {
-    std::array<double, Corners::kMost> values;
+    std::array<double, Corners::kMax> values;
     for (std::size_t axis = 0; axis < 3 && leaves.count > 0; ++axis) {
       if (table_[axis].empty()) continue;
-      p_.function[axis]->evaluate_batch(leaves.corners.arguments(), Corners::kMost, leaves.corners.count(),
+      p_.function[axis]->evaluate_batch(leaves.corners.arguments(), Corners::kMax, leaves.corners.count(),
                                         values.data());
       for (const auto& leaf : std::span(leaves.leaf).first(leaves.count)) {
         const auto& at = leaf.corners;

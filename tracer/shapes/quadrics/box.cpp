@@ -1,7 +1,7 @@
 // box (spec 03 4.2).
 #include <utility>
 
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/quadrics/quadric_kernels.h"
@@ -10,7 +10,7 @@ namespace verisim::shapes {
 namespace {
 
 using namespace one_ray;
-#include "tracer/shapes/quadrics/box_crossings.inc"
+#include "tracer/shapes/quadrics/box_intersections.inc"
 
 enum Face : std::int32_t { x_low, x_high, y_low, y_high, z_low, z_high };
 
@@ -23,10 +23,10 @@ class Box final : public KernelPrimitive<Box> {
   void intersections(const Ray& ray, Sink& sink) const {
     // The direction keeps its length, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
-    box_crossings(o, d, low_, high_, turned_, one_ray::Report{[&](double t, std::int32_t face) {
-                    const auto point = [&] { return ray.origin + t * ray.direction; };
-                    return sink.add(t, point, face) && Sink::kNearest;
-                  }});
+    box_intersections(o, d, low_, high_, turned_, one_ray::Report{[&](double t, std::int32_t face) {
+                        const auto point = [&] { return ray.origin + t * ray.direction; };
+                        return sink.add(t, point, face) && Sink::kNearest;
+                      }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
 #include "tracer/shapes/packet_primitive.h"
@@ -15,7 +15,7 @@ namespace verisim::shapes {
 namespace {
 
 using namespace one_ray;
-#include "tracer/shapes/quadrics/cone_crossings.inc"
+#include "tracer/shapes/quadrics/cone_intersections.inc"
 
 struct Ends {
   Vec3 wide, narrow;
@@ -49,12 +49,13 @@ class Cone final : public KernelPrimitive<Cone> {
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
-    cone_crossings(l.origin, l.direction, cylinder_, open_, narrow_, one_ray::Report{[&](double t, std::int32_t part) {
-                     const double depth = t / l.scale;
-                     sink.add(
-                         depth, [&] { return ray.origin + depth * ray.direction; }, part);
-                     return false;
-                   }});
+    cone_intersections(l.origin, l.direction, cylinder_, open_, narrow_,
+                       one_ray::Report{[&](double t, std::int32_t part) {
+                         const double depth = t / l.scale;
+                         sink.add(
+                             depth, [&] { return ray.origin + depth * ray.direction; }, part);
+                         return false;
+                       }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {

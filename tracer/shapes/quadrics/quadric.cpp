@@ -1,5 +1,5 @@
 // quadric (spec 03 4.10): coefficients are kept in world space.
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/quadrics/quadric_kernels.h"
@@ -9,7 +9,7 @@ namespace verisim::shapes {
 namespace {
 
 using namespace one_ray;
-#include "tracer/shapes/quadrics/quadric_crossings.inc"
+#include "tracer/shapes/quadrics/quadric_intersections.inc"
 
 // Of {value <= 0} or, for a quadric written with negative coefficients, of {value >= 0}. POV-Ray's boxes depend on
 // clips and are partly wrong (4.11).
@@ -33,10 +33,10 @@ class Quadric final : public KernelPrimitive<Quadric> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
-    quadric_crossings(ray.origin, ray.direction, q_, one_ray::Report{[&](double t, std::int32_t) {
-                        sink.add(t, [&] { return ray.origin + t * ray.direction; });
-                        return false;
-                      }});
+    quadric_intersections(ray.origin, ray.direction, q_, one_ray::Report{[&](double t, std::int32_t) {
+                            sink.add(t, [&] { return ray.origin + t * ray.direction; });
+                            return false;
+                          }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "tracer/shapes/quadrics/quadric_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/local_rays-inl.h"
 #include "tracer/shapes/nearest_of_eight-inl.h"
 #include "tracer/simd/kernel_table.h"
@@ -17,16 +17,16 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-#include "tracer/shapes/quadrics/box_crossings.inc"
-#include "tracer/shapes/quadrics/cone_crossings.inc"
-#include "tracer/shapes/quadrics/quadric_crossings.inc"
-#include "tracer/shapes/quadrics/sphere_crossings.inc"
+#include "tracer/shapes/quadrics/box_intersections.inc"
+#include "tracer/shapes/quadrics/cone_intersections.inc"
+#include "tracer/shapes/quadrics/quadric_intersections.inc"
+#include "tracer/shapes/quadrics/sphere_intersections.inc"
 
 void sphere(const Vec3& center, double radius2, const Transform* matrix, const RayPacket& rays, double t_min,
             const double* t_max, PacketHits& met) {
   const LocalRays<Packet> l = local(matrix, rays);
   NearestOfEight<true> nearest(matrix ? &l.scale : nullptr, t_min, t_max);
-  sphere_crossings(l.o, l.d, center, radius2, nearest);
+  sphere_intersections(l.o, l.d, center, radius2, nearest);
   nearest.store_to(met);
 }
 
@@ -35,7 +35,7 @@ void box(const SimpleSolid& solid, const RayPacket& rays, double t_min, const do
   PacketVector<Packet> o = load_rays(rays.rays.origin, rays.first), d = load_rays(rays.rays.direction, rays.first);
   if (solid.matrix) o = transform_point(solid.matrix->inv, o), d = transform_direction(solid.matrix->inv, d);
   NearestOfEight<false> nearest(nullptr, t_min, t_max);
-  box_crossings(o, d, solid.a, solid.b, solid.turned, nearest);
+  box_intersections(o, d, solid.a, solid.b, solid.turned, nearest);
   nearest.store_to(met);
 }
 
@@ -43,13 +43,14 @@ void cone(bool cylinder, bool open, double narrow, const Transform* matrix, cons
           const double* t_max, PacketHits& met) {
   const LocalRays<Packet> l = local(matrix, rays);
   NearestOfEight<false> nearest(matrix ? &l.scale : nullptr, t_min, t_max);
-  cone_crossings(l.o, l.d, cylinder, open, narrow, nearest);
+  cone_intersections(l.o, l.d, cylinder, open, narrow, nearest);
   nearest.store_to(met);
 }
 
 void quadric(const scene::Quadric& q, const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) {
   NearestOfEight<false> nearest(nullptr, t_min, t_max);
-  quadric_crossings(load_rays(rays.rays.origin, rays.first), load_rays(rays.rays.direction, rays.first), q, nearest);
+  quadric_intersections(load_rays(rays.rays.origin, rays.first), load_rays(rays.rays.direction, rays.first), q,
+                        nearest);
   nearest.store_to(met);
 }
 

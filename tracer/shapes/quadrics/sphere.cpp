@@ -1,5 +1,5 @@
 // sphere (spec 03 4.1).
-#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/quadrics/quadric_kernels.h"
@@ -9,7 +9,7 @@ namespace verisim::shapes {
 namespace {
 
 using namespace one_ray;
-#include "tracer/shapes/quadrics/sphere_crossings.inc"
+#include "tracer/shapes/quadrics/sphere_intersections.inc"
 
 Box3 box_of(const scene::Sphere& s) {
   const Vec3 half(std::fabs(s.radius));
@@ -28,16 +28,16 @@ class Sphere final : public KernelPrimitive<Sphere> {
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
     if (!has_matrix()) {
-      sphere_crossings(ray.origin, ray.direction, center_, radius2_, one_ray::Report{[&](double t, std::int32_t) {
-                         return sink.add(t, [&] { return ray.origin + t * ray.direction; }) && Sink::kNearest;
-                       }});
+      sphere_intersections(ray.origin, ray.direction, center_, radius2_, one_ray::Report{[&](double t, std::int32_t) {
+                             return sink.add(t, [&] { return ray.origin + t * ray.direction; }) && Sink::kNearest;
+                           }});
       return;
     }
     const LocalRay l = local(ray);
-    sphere_crossings(l.origin, l.direction, center_, radius2_, one_ray::Report{[&](double t, std::int32_t) {
-                       return sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); }) &&
-                              Sink::kNearest;
-                     }});
+    sphere_intersections(l.origin, l.direction, center_, radius2_, one_ray::Report{[&](double t, std::int32_t) {
+                           return sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); }) &&
+                                  Sink::kNearest;
+                         }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {

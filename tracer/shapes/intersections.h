@@ -1,12 +1,13 @@
-// What the formulas in *_crossings.inc are written with: each stands once, as templates over a vector, which are
+// What the formulas in *_intersections.inc are written with: each stands once, as templates over a vector, which are
 // included by the shape for one ray (Vec3; `using namespace one_ray`) and by kernels, once for each instruction set,
 // for packets (PacketVector). Conditions are joined by & and |, negated by !, and choose by `select`, which serve bool
 // and masks.
 //
-// Crossings go to a `report`:
+// Intersections go to a `report`:
 //   using Part = ...;                         // std::int32_t, or a packet of integers
 //   bool any(mask);                           // whether a ray for which it holds is still of interest
-//   bool operator()(t, mask, const Part& p);  // a crossing at t of the rays of the mask, with a part of the surface;
+//   bool operator()(t, mask, const Part& p);  // an intersection at t of the rays of the mask, with a part of the
+//   surface;
 //                                             // true: those behind it are not wanted
 #pragma once
 

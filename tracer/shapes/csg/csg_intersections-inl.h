@@ -104,7 +104,7 @@ HWY_INLINE void consider(Search<Number>& s, const CsgNode& n, const Number& t, c
   if (const unsigned lanes = wanted(s, t, valid); lanes != 0) consider_on_ray(s, n, t, lanes, part);
 }
 
-// Takes crossings of the solid of a node at distances of the world, `scale` times as far in its own space.
+// Takes intersections of the solid of a node at distances of the world, `scale` times as far in its own space.
 template <class Number>
 struct OnRay {
   using Part = IntsFor<Number>;
@@ -163,28 +163,28 @@ struct OnTransformedBall {
 template <class Number>
 void cross_sphere(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& ball = n.simple;
-  if (!ball.matrix) return sphere_crossings(s.o, s.d, ball.a, ball.c, OnRay<Number>{s, n, nullptr});
+  if (!ball.matrix) return sphere_intersections(s.o, s.d, ball.a, ball.c, OnRay<Number>{s, n, nullptr});
   const LocalRays<Number> l = local_rays(ball.matrix, s.o, s.d);
-  sphere_crossings(l.o, l.d, ball.a, ball.c, OnTransformedBall<Number>{s, n, l});
+  sphere_intersections(l.o, l.d, ball.a, ball.c, OnTransformedBall<Number>{s, n, l});
 }
 
 template <class Number>
 void cross_cone(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& cone = n.simple;
   const LocalRays<Number> l = local_rays(cone.matrix, s.o, s.d);
-  cone_crossings(l.o, l.d, cone.cylinder, cone.open, cone.c, OnRay<Number>{s, n, &l.scale});
+  cone_intersections(l.o, l.d, cone.cylinder, cone.open, cone.c, OnRay<Number>{s, n, &l.scale});
 }
 
 template <class Number>
 void cross_quadric(Search<Number>& s, const CsgNode& n) {
-  quadric_crossings(s.o, s.d, *n.simple.quadric, OnRay<Number>{s, n, nullptr});
+  quadric_intersections(s.o, s.d, *n.simple.quadric, OnRay<Number>{s, n, nullptr});
 }
 
 template <class Number>
 void cross_box(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& b = n.simple;
   const NodeRay<Number> ray(s, n);
-  box_crossings(ray.o, ray.d, b.a, b.b, b.turned, OnRay<Number>{s, n, nullptr});
+  box_intersections(ray.o, ray.d, b.a, b.b, b.turned, OnRay<Number>{s, n, nullptr});
 }
 
 template <class Number>

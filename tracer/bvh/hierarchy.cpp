@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "tracer/scene/bounds.h"
+
 namespace verisim::accel {
 namespace {
 
@@ -32,32 +34,11 @@ void sort_keys(std::vector<std::uint64_t>& keys) {
   }
 }
 
-// The box of several boxes: the upper corner is a sum of corner and length in double precision.
-class Union {
- public:
-  void add(const Bounds& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low_[i] = std::min(low_[i], b.low[i]);
-      high_[i] = std::max(high_[i], static_cast<double>(b.low[i]) + static_cast<double>(b.size[i]));
-    }
-  }
-  // Half the surface, before lengths are rounded: parts of symmetric scenes are equally good but for its last bits.
-  double area() const {
-    const double x = length(0), y = length(1), z = length(2);
-    return x * (y + z) + y * z;
-  }
-  Bounds bounds() const {
-    Bounds b;
-    for (std::size_t i = 0; i < 3; ++i) b.low[i] = low_[i], b.size[i] = static_cast<float>(length(i));
-    return b;
-  }
-
- private:
-  double length(std::size_t axis) const { return high_[axis] - static_cast<double>(low_[axis]); }
-
-  float low_[3] = {kEmptyLimit, kEmptyLimit, kEmptyLimit};
-  double high_[3] = {-kEmptyLimit, -kEmptyLimit, -kEmptyLimit};
-};
+// Half the surface, before lengths are rounded: parts of symmetric scenes are equally good but for its last bits.
+double half_area(const scene::BoxUnion& box) {
+  const Vec3 size = box.high - box.low;
+  return size.x * (size.y + size.z) + size.y * size.z;
+}
 
 }  // namespace
 
@@ -118,8 +99,8 @@ bool Hierarchy::Slabs::enters(const Bounds& b, double& key) const {
 
 Hierarchy::Boxed Hierarchy::add_node(std::span<const Boxed> children) {
   Node node;
-  Union all;
-  for (const Boxed& child : children) all.add(child.bounds);
+  scene::BoxUnion all;
+  for (const Boxed& child : children) all.extend(child.bounds);
   node.bounds = all.bounds();
   node.first = static_cast<std::uint32_t>(children_.size());
   node.count = static_cast<std::uint32_t>(children.size());
@@ -167,16 +148,17 @@ void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vect
   sort_by_middle(range, axis);
   std::size_t best = n;
   if (n > kLeafSize) {
-    Union from_right;
+    scene::BoxUnion from_right;
     for (std::size_t i = n; i-- > 0;) {
-      from_right.add(range[i].bounds);
-      areas[i] = from_right.area();
+      from_right.extend(range[i].bounds);
+      areas[i] = half_area(from_right);
     }
     double least = areas[0] * (static_cast<double>(n) - 3);
-    Union from_left;
+    scene::BoxUnion from_left;
     for (std::size_t i = 0; i + 1 < n; ++i) {
-      from_left.add(range[i].bounds);
-      const double cost = static_cast<double>(i + 1) * from_left.area() + static_cast<double>(n - 1 - i) * areas[i + 1];
+      from_left.extend(range[i].bounds);
+      const double cost =
+          static_cast<double>(i + 1) * half_area(from_left) + static_cast<double>(n - 1 - i) * areas[i + 1];
       if (cost < least) least = cost, best = i;
     }
   }

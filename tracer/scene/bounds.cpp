@@ -75,15 +75,6 @@ void clip_by_plane(const Object& object, BoxRange& range) {
 
 namespace {
 
-// A box that is being widened, in double.
-struct BoxUnion {
-  Vec3 low{kBoxLimit}, high{-kBoxLimit};
-  void extend(const Bounds& b) {
-    const Vec3 l = low_corner(b), h = far_corner(b);
-    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], l[i]), high[i] = std::max(high[i], h[i]);
-  }
-};
-
 BoxRange intersection_range(std::vector<ObjectPtr>& children) {
   BoxRange box;
   for (const ObjectPtr& child : children) {
@@ -138,7 +129,7 @@ Bounds text_bounds(const Text& text) {
   BoxUnion all;
   for (const shapes::LetterBox& letter : shapes::letter_boxes(text))
     all.extend(transformed(from_box(letter.box), Transform::translation({letter.place.x, letter.place.y, 0})));
-  return all.low.x > all.high.x ? unbounded() : transformed(make_bounds(all.low, all.high), shapes::text_frame());
+  return all.low.x > all.high.x ? unbounded() : transformed(all.bounds(), shapes::text_frame());
 }
 
 Bounds cone_bounds(const Cone& cone) { return from_box(shapes::cone_box(cone)); }

@@ -1,6 +1,8 @@
 // POV-Ray's bounding boxes: binary32 lower corner and edge lengths (spec 03 2.2, 4.11, 5.6).
 #pragma once
 
+#include <algorithm>
+
 #include "tracer/scene/object.h"
 
 namespace verisim::scene {
@@ -28,6 +30,18 @@ Bounds csg_bounds(Object& object);
 struct BoxRange {
   Vec3 low{-kBoxLimit}, high{kBoxLimit};
   void clip(const Bounds& bounds);
+};
+// A box that is being widened, in double: the upper corner is a sum of corner and length in double precision.
+struct BoxUnion {
+  Vec3 low{kBoxLimit}, high{-kBoxLimit};
+  void extend(const Bounds& bounds) {
+    for (int i = 0; i < 3; ++i) {
+      const double corner = bounds.low[i];
+      low[i] = std::min(low[i], corner);
+      high[i] = std::max(high[i], corner + static_cast<double>(bounds.size[i]));
+    }
+  }
+  Bounds bounds() const { return make_bounds(low, high); }
 };
 // Narrows a range by an axis-parallel plane (with POV-Ray's error for scaled matrices).
 void clip_by_plane(const Object& plane, BoxRange& range);

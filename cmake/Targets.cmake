@@ -55,8 +55,10 @@ endfunction()
 # land. The sanitizers look at more.
 if(VERISIM_HARDEN AND NOT VERISIM_SANITIZE)
   include(CheckCXXCompilerFlag)
-  check_cxx_compiler_flag(-fcf-protection VERISIM_HAS_CF_PROTECTION)            # x86
+  check_cxx_compiler_flag(-fcf-protection VERISIM_HAS_CF_PROTECTION)  # x86
+  set(CMAKE_REQUIRED_FLAGS -Werror)  # Clang takes it for any processor, and warns
   check_cxx_compiler_flag(-mbranch-protection=standard VERISIM_HAS_BRANCH_PROTECTION)  # aarch64
+  unset(CMAKE_REQUIRED_FLAGS)
   target_compile_options(verisim_flags INTERFACE -fstack-protector-strong $<$<BOOL:${VERISIM_HAS_CF_PROTECTION}>:-fcf-protection>
                                                  $<$<BOOL:${VERISIM_HAS_BRANCH_PROTECTION}>:-mbranch-protection=standard>)
   target_compile_options(verisim_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)

@@ -81,8 +81,12 @@ void Contributions::rays_added(const Rgb& seen) {
   add(way, "", added);
 }
 
-void Contributions::air(const Color& without, const Color& with) {
-  if (!open_.empty()) open_.back().air += with.rgb() - without.rgb();
+void Contributions::air(const Color& without, const Color& with, float passed) {
+  if (open_.empty()) return;
+  Frame& frame = open_.back();
+  for (auto& [key, term] : frame.terms) term *= passed;
+  frame.known *= passed, frame.air *= passed;
+  frame.air += with.rgb() - without.rgb() * passed;
 }
 
 void Contributions::ray_ended(const shading::RayState&, const Color& color) {

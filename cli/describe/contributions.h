@@ -28,7 +28,7 @@ class Contributions : public shading::Observer {
   void texture_started(float weight) override;
   void texture_ended() override;
   void rays_added(const Rgb& seen) override;
-  void air(const Color& without, const Color& with) override;
+  void air(const Color& without, const Color& with, float passed) override;
 
  private:
   using Key = std::pair<std::string, std::string>;  // kind and name

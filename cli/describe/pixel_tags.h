@@ -33,7 +33,7 @@ class TagWitness : public shading::Observer {
   void texture_started(float weight) override { parts_.texture_started(weight); }
   void texture_ended() override { parts_.texture_ended(); }
   void rays_added(const Rgb& seen) override { parts_.rays_added(seen); }
-  void air(const Color& without, const Color& with) override { parts_.air(without, with); }
+  void air(const Color& without, const Color& with, float passed) override { parts_.air(without, with, passed); }
   std::vector<compare::PixelTags::Part> parts() const { return parts_.parts(); }
 
  private:

@@ -97,7 +97,7 @@ void RayTree::rays_added(const Rgb& seen) {
   if (Json* added = term(kind, adds, true)) (*added)["rays"] = {first, ray.rays_added};
 }
 
-void RayTree::air(const Color& without, const Color& with) {
+void RayTree::air(const Color& without, const Color& with, float) {
   if (without == with) return;
   line(fmt::format("fog and media make {} of {}", text(with.rgb()), text(without.rgb())));
   if (Json* added = term("fog and media", with.rgb() - without.rgb())) (*added)["without"] = numbers(without.rgb());

@@ -38,7 +38,7 @@ class RayTree : public shading::Observer {
   void texture_started(float weight) override;
   void texture_ended() override;
   void rays_added(const Rgb& seen) override;
-  void air(const Color& without, const Color& with) override;
+  void air(const Color& without, const Color& with, float passed) override;
 
  private:
   struct Open {  // a ray that has not ended

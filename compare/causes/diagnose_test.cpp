@@ -323,5 +323,73 @@ TEST(Diagnose, AFewPixelsOfOneColorFitNoFormula) {
     EXPECT_THAT(s.what, testing::Not(testing::AnyOf("brightness", "clipped", "pixelation", "part shifted", "zoom")));
 }
 
+// A disc on a ground, both with patterns that stay where they are.
+Picture disc(double x, double y, double radius) {
+  return picture_of(96, 72, [=](int u, int v, int c) {
+    return std::hypot(u - x, v - y) < radius ? 190 + 25 * std::sin(u) * std::cos(v) - 40 * c
+                                             : 80 + 40 * std::sin(u / 4.0) * std::cos(v / 5.0) + 9 * c;
+  });
+}
+PixelTags of_disc(double x, double y, double radius) {
+  PixelTags tags = with_tag("copy", "sphere (s.pov:2) at <0, 0, 0>, size <1, 1, 1>");
+  for (int i = 0; i < 96 * 72; ++i)
+    tags.set_of[static_cast<std::size_t>(i)] = std::hypot(i % 96 - x, i / 96 - y) < radius;
+  return tags;
+}
+
+TEST(Diagnose, WhatIsElsewhereWasNotAdded) {
+  const PixelTags tags = of_disc(45, 35, 14);
+  for (const auto& [reference, what] :
+       {std::pair(disc(45, 40, 14), "object moved"), std::pair(disc(39, 35, 14), "object moved"),
+        std::pair(disc(45, 35, 11.5), "object scaled"), std::pair(disc(45, 35, 17), "object scaled")}) {
+    const std::vector<Suspicion> all = diagnose(reference, disc(45, 35, 14), nullptr, &tags);
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all[0].what, what) << all[0].detail;
+    EXPECT_THAT(all[0].detail, HasSubstr("sphere (s.pov:2)"));
+  }
+  const Picture none = disc(-90, -90, 1);
+  const std::vector<Suspicion> added = diagnose(none, disc(45, 35, 14), nullptr, &tags);
+  ASSERT_FALSE(added.empty());
+  EXPECT_EQ(added[0].what, "object added");
+}
+
+// The test has a light that the reference has not, or one that is twice as strong.
+TEST(Diagnose, ALightThatOnlyTheTestHas) {
+  PixelTags tags = with_tag("light", "lit by the light at <1, 2, 3>");
+  PixelTags::Part light{"light", "light at <1, 2, 3>", {}}, own{"own light", "ambient and emission", {}};
+  for (int i = 0; i < 96 * 72; ++i)
+    for (int c = 0; c < 3; ++c)
+      light.light.push_back(i % 96 < 40 ? 0.1f + 0.002f * static_cast<float>(i % 96) : 0),
+          own.light.push_back(0.1f + 0.001f * static_cast<float>(i / 96));
+  tags.parts = {light, own};
+  const auto picture = [&](float factor) {
+    return picture_of(96, 72, [&](int x, int y, int c) {
+      const auto i = static_cast<std::size_t>(3 * (y * 96 + x) + c);
+      return std::round(255 * linear_to_srgb(own.light[i] + factor * light.light[i]));
+    });
+  };
+  const std::vector<Suspicion> added = diagnose(picture(0), picture(1), nullptr, &tags),
+                               stronger = diagnose(picture(0.5f), picture(1), nullptr, &tags);
+  ASSERT_FALSE(added.empty() || stronger.empty());
+  EXPECT_EQ(added[0].what, "light added") << added[0].detail;
+  EXPECT_EQ(stronger[0].what, "light strength") << stronger[0].detail;
+  EXPECT_THAT(stronger[0].detail, testing::ContainsRegex("(99|100).[0-9] % more"));
+}
+
+// A texture of one object is told with it; a shape of which there is one is told as that object.
+TEST(Diagnose, WhatOneObjectHasIsToldWithIt) {
+  PixelTags tags = with_tag("copy", "sphere (s.pov:2)");
+  tags.tags.push_back({"object", "sphere (s.pov:2)"}), tags.tags.push_back({"texture", "pigment bozo"}),
+      tags.tags.push_back({"shape", "sphere"});
+  tags.sets = {{0}, {1, 2, 3, 4}};
+  bool told = false;
+  for (const Suspicion& s :
+       diagnose(scene(), darker_where([](int x, int) { return x >= 10 && x < 40; }), nullptr, &tags)) {
+    told = told || s.detail == "pigment bozo of sphere (s.pov:2)";
+    EXPECT_NE(s.what, "shape");
+  }
+  EXPECT_TRUE(told);
+}
+
 }  // namespace
 }  // namespace verisim::compare

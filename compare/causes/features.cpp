@@ -84,6 +84,30 @@ class Sightings {
   const Mask all_ = Mask(c_.size(), 1), direct_;
 };
 
+// The only object of a kind of tags ("object") whose name begins so; null: none, or several.
+const PixelTags::Tag* only_object(const PixelTags& tags, const std::string& beginning) {
+  const PixelTags::Tag* only = nullptr;
+  for (const PixelTags::Tag& tag : tags.tags) {
+    if (tag.kind != "copy" || !tag.name.starts_with(beginning)) continue;
+    if (only) return nullptr;
+    only = &tag;
+  }
+  return only;
+}
+
+// " of sphere (s.pov:3)" where one object shows nearly all of a texture that is seen.
+std::string owner_of(const Case& c, const PixelTags& tags, const Mask& mask) {
+  constexpr double kNearlyAll = 0.95;
+  const auto count = [](const Mask& m) { return static_cast<double>(std::count(m.begin(), m.end(), 1)); };
+  for (const PixelTags::Tag& tag : tags.tags) {
+    if (tag.kind != "object") continue;
+    Mask both = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && mask[i];
+    if (count(both) > kNearlyAll * count(mask)) return " of " + tag.name;
+  }
+  return "";
+}
+
 constexpr const char* kHere = "seen where pixels are wrong";
 
 }  // namespace
@@ -95,10 +119,14 @@ void suspect_features(const Case& c, Suspicions& out) {
   for (const PixelTags::Tag& tag : tags.tags) {
     const char* what = suspect_of(tag);
     if (!what) continue;
+    if (tag.kind == "shape" && only_object(tags, tag.name + " (")) continue;  // the object itself says more
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
     const bool effect = tag.kind == "effect";
-    seen.suspect(what, effect ? kHere : tag.name, mask, effect ? kEffect : kOther,
-                 tag.kind == "secondary object" || tag.kind == "feature");
+    seen.suspect(what,
+                 effect                  ? kHere
+                 : tag.kind == "texture" ? tag.name + owner_of(c, tags, mask)
+                                         : tag.name,
+                 mask, effect ? kEffect : kOther, tag.kind == "secondary object" || tag.kind == "feature");
   }
   // An object that casts no shadow does so in the light of all lamps.
   seen.suspect("shadows", "in the shadow of any light", c.pixels_with(tags, is_shadow), kOther);

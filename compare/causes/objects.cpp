@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compare/causes/families.h"
+#include "compare/causes/outline.h"
 #include "compare/causes/registration.h"
 
 namespace verisim::compare {
@@ -206,9 +207,18 @@ void changed_outlines(const Case& c, const std::vector<Match>& all, Suspicions& 
   }
 }
 
+// Where an object is seen in mirrors or through something.
+Mask images_of(const Case& c, const SeenObject& object, const std::vector<SeenObject>& all) {
+  Mask out(c.size());
+  for (const SeenObject& other : all)
+    if (other.secondary && other.copy.starts_with(object.copy)) out = either(out, other.mask);
+  return out;
+}
+
 // Where an object is what it was and looks otherwise. Other surfaces that are wrong by less speak
 // against it: twice, for they are not explained and want another cause.
-void surfaces(const Case& c, const SeenObject& object, const Mask& mask, Suspicions& out) {
+// `images`: where the object is seen in mirrors or through something.
+void surfaces(const Case& c, const SeenObject& object, const Mask& mask, const Mask& images, Suspicions& out) {
   constexpr double kLeastShare = 0.5;
   const double share = share_of(c, mask);
   if (share < kLeastShare) return;
@@ -216,7 +226,8 @@ void surfaces(const Case& c, const SeenObject& object, const Mask& mask, Suspici
   suspect_tone_of(c, object.name, mask, of_it);
   of_it.push_back(c.placed("object", object.name + ": its surface", mask, weight::kPlace));
   const Mask direct = common(c.wrong, directly_seen(c, *c.tags.any()));
-  const double covered = object.secondary ? 1 : part_of_wrong(c, common(direct, mask)) / part_of_wrong(c, direct);
+  const double covered =
+      object.secondary ? 1 : part_of_wrong(c, common(direct, either(mask, images))) / part_of_wrong(c, direct);
   for (Suspicion& s : of_it) s.sure *= covered * covered, out.push_back(std::move(s));
 }
 
@@ -232,12 +243,39 @@ double border(const Case& c, const Mask& mask, const Pixels& picture) {
   return sum;
 }
 
+// Where the other picture shows an object's outline.
+struct Elsewhere {
+  bool found = false;    // there, and not where it should be
+  double part = 0;       // of the outline
+  Outline::Place place;  // of the test's outline, seen from the reference's
+  bool zoomed() const { return place.zoom != 1; }
+  std::string detail(const Case& c) const {
+    if (zoomed())
+      return fmt::format("{:.0f} % {}", 100 * std::fabs(place.zoom - 1), place.zoom > 1 ? "larger" : "smaller");
+    return fmt::format("by {:.0f}, {:.0f} pixels (right, down)", place.dx * c.reduced + 0.0,
+                       place.dy * c.reduced + 0.0);
+  }
+};
+Elsewhere look_elsewhere(const Case& c, const Mask& mask, int reach) {
+  constexpr double kFound = 0.55, kMore = 0.25;
+  const bool of_reference = c.tags.reference != nullptr;
+  const Pixels &own = of_reference ? c.reference : c.test, &other = of_reference ? c.test : c.reference;
+  const Outline outline(c, mask, own);
+  Elsewhere out;
+  out.place = outline.best(reach, other);
+  out.part = outline.found_at(out.place, other);
+  out.found = out.part > kFound && out.part > outline.found_at({}, other) + kMore;
+  if (!of_reference) out.place = {-out.place.dx, -out.place.dy, 1 / out.place.zoom};
+  return out;
+}
+
 // With one side's word only.
 void outlines_of_one_side(const Case& c, Suspicions& out) {
   constexpr double kGone = 0.3, kLeastShare = 0.5, kMaxOfPicture = 0.6;
-  for (const SeenObject& object : seen_in(c, *c.tags.any())) {
+  const std::vector<SeenObject> objects = seen_in(c, *c.tags.any());
+  for (const SeenObject& object : objects) {
     if (object.secondary) continue;
-    surfaces(c, object, object.mask, out);
+    surfaces(c, object, object.mask, images_of(c, object, objects), out);
     const int reach = std::max(3, c.width / 20);
     const Mask around = dilated(c, object.mask, reach);
     if (share_of(c, around) < kLeastShare || object.pixels < 6 ||
@@ -246,8 +284,16 @@ void outlines_of_one_side(const Case& c, Suspicions& out) {
     const double was = border(c, object.mask, c.reference), is = border(c, object.mask, c.test);
     // What is wrong around it has to be explained, too: where there is much, the object is rather elsewhere.
     const double only_there = share_of(c, object.mask) / share_of(c, around);
-    if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, 0.95 * only_there));
-    if (was < kGone * is) out.push_back(c.placed("object added", object.copy, object.mask, 0.95 * only_there));
+    const Elsewhere elsewhere = look_elsewhere(c, object.mask, reach);
+    const double gone = 0.95 * only_there * (elsewhere.found ? 0.5 : 1);
+    if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, gone));
+    if (was < kGone * is) out.push_back(c.placed("object added", object.copy, object.mask, gone));
+    if (elsewhere.found) {
+      Suspicion s = c.placed(elsewhere.zoomed() ? "object scaled" : "object moved",
+                             fmt::format("{}: {}", object.name, elsewhere.detail(c)), around, 1);
+      s.sure = weight::kRepaired * s.explained * elsewhere.part;
+      out.push_back(std::move(s));
+    }
     double mx = 0, my = 0;
     for (std::size_t i = 0; i < c.size(); ++i)
       if (object.mask[i])
@@ -288,7 +334,7 @@ void suspect_objects(const Case& c, Suspicions& out) {
   for (const Match& m : all) {
     if (!m.was || !m.is) continue;
     Suspicions of_it;
-    surfaces(c, *m.was, common(m.was->mask, m.is->mask), of_it);
+    surfaces(c, *m.was, common(m.was->mask, m.is->mask), images_of(c, *m.was, was), of_it);
     for (Suspicion& s : of_it) s.sure *= m.was->secondary ? 0.95 : 1, out.push_back(std::move(s));
   }
   const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && tag.name.starts_with("sky"); };

@@ -90,6 +90,13 @@ Proportion proportion(const Pixels& x, const Pixels& y, const Mask* judged = nul
   return out;
 }
 
+// A change that is told as a part of what is, as a part of what was.
+Proportion of_what_was(Proportion p) {
+  constexpr double kMax = 0.999;
+  for (double& f : p.factor) f = 1 / (1 - std::min(f, kMax)) - 1;
+  return p;
+}
+
 std::string in_words(const std::string& kind, const std::string& name) {
   if (kind == "own light") return "ambient light";
   if (kind == "background") return "background";
@@ -103,6 +110,8 @@ std::pair<std::string, std::string> strength(const std::string& kind, const std:
   const bool light = kind == "light";
   if (p.one() && mean < -0.97)
     return {light ? "light missing" : words + " missing", light ? "the " + name : "there is none"};
+  if (p.one() && mean > 9)
+    return {light ? "light strength" : words, (light ? "the " + name + ": " : "") + "more than ten times as much"};
   if (p.one())
     return {light ? "light strength" : words, fmt::format("{}{:.1f} % {}", light ? "the " + name + ": " : "",
                                                           100 * std::fabs(mean), mean < 0 ? "less" : "more")};
@@ -195,7 +204,7 @@ class Terms {
     }
     for (const auto& [key, term] : of_reference ? was_ : is_) {
       const Proportion p = proportion(term, rest, &judged);
-      auto [what, detail] = strength(key.first, key.second, p);
+      auto [what, detail] = strength(key.first, key.second, of_reference ? p : of_what_was(p));
       const double mean = (p.factor[0] + p.factor[1] + p.factor[2]) / 3;
       if (!of_reference && p.one() && std::fabs(mean - 1) < 0.03) {
         what = key.first == "light" ? "light added" : in_words(key.first, "") + " added";

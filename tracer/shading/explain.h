@@ -33,8 +33,9 @@ class Observer {
   virtual void texture_ended() {}
   // What the rays that were sent out since the last such call add to the colour of the ray that sent them.
   virtual void rays_added(const Rgb&) {}
-  // Fog, media ...: the colour of the latest ray that has not ended, without and with them.
-  virtual void air(const Color& /*without*/, const Color& /*with*/) {}
+  // Fog, media ...: the colour of the latest ray that has not ended, without and with them, and the part of its light
+  // that passes them.
+  virtual void air(const Color& /*without*/, const Color& /*with*/, float /*passed*/) {}
 };
 
 }  // namespace verisim::shading

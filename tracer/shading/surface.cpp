@@ -60,9 +60,7 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
   Color result = shade_surface(ray, hit);
   if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes) {
     const RandomBranch branch(random_, RandomBranch::kContainer);
-    const Color without = result;
-    scene_.effects->container_media(*this, ray, hit.t, *hit.shape->surface, result);
-    if (observer_) observer_->air(without, result);
+    through_air(result, [&] { scene_.effects->container_media(*this, ray, hit.t, *hit.shape->surface, result); });
   }
   return result;
 }

@@ -90,9 +90,7 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
     color = scene_.sky.seen(ray.ray.direction, ray.reflected || ray.gather);
   }
   if (has_volumes_ && ray.hollow && ray.volumes) {
-    const Color without = color;
-    apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color);
-    if (observer_) observer_->air(without, color);
+    through_air(color, [&] { apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color); });
   }
   if (observer_) observer_->ray_ended(ray, color);
   return color;

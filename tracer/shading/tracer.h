@@ -192,6 +192,16 @@ class Tracer {
   // ---- tracer.cpp
   bool cut_off(const RayState& ray) const;
   void apply_volumes(const RayState& ray, double length, const shapes::Surface* end, Color& color);
+  // Lets fog or media change a colour, and tells a witness.
+  template <class Apply>
+  void through_air(Color& color, Apply&& apply) {
+    if (!observer_) return apply();
+    const Color without = color;
+    color.t = 1;  // what is left of it has passed
+    apply();
+    const float passed = std::exchange(color.t, without.t * color.t);
+    observer_->air(without, color, passed);
+  }
   void apply_fog(const Ray& ray, double length, Color& color) const;
 
   // ---- surface.cpp

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kFarthest = 1e7;
 constexpr double kAcross = 1e-4;  // of a ray across the way of the spheres
+constexpr double kSixth = 1 / 6.0, kTwoThirds = 4 / 6.0;
 constexpr std::size_t kFewParts = 1;
 
 using Vec4 = Imath::V4d;  // centre and radius
@@ -30,7 +31,15 @@ struct Segment {
   std::array<Vec4, 4> c{Vec4(0), Vec4(0), Vec4(0), Vec4(0)};  // powers of u
   int degree = 1;
 
-  Vec4 at(double u) const { return ((c[3] * u + c[2]) * u + c[1]) * u + c[0]; }
+  // Centre and radius are summed in opposite orders.
+  Vec4 at(double u) const {
+    const double u2 = u * u, u3 = u2 * u;
+    Vec4 sphere = c[0] + c[1] * u + c[2] * u2 + c[3] * u3;
+    sphere.w = c[3].w * u * u * u + c[2].w * u * u + c[1].w * u + c[0].w;
+    return sphere;
+  }
+  // The last joint, summed as centres are.
+  Vec4 end() const { return c[0] + c[1] + c[2] + c[3]; }
   Vec4 slope(double u) const { return (c[3] * (3 * u) + c[2] * 2.0) * u + c[1]; }
 };
 
@@ -61,10 +70,12 @@ std::vector<Segment> segments_of(const scene::SphereSweep& sweep) {
   for (std::size_t i = 0; i + 3 < n; ++i) {
     const Vec4 &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[i + 3];
     if (sweep.spline == scene::SplineKind::b_spline)
-      segments.push_back(
-          {{(a + b * 4.0 + c) / 6.0, (c - a) * 0.5, (a - b * 2.0 + c) * 0.5, (d - a + (b - c) * 3.0) / 6.0}, 3});
+      segments.push_back({{a * kSixth + b * kTwoThirds + c * kSixth, c * 0.5 - a * 0.5, a * 0.5 - b + c * 0.5,
+                           b * 0.5 - a * kSixth - c * 0.5 + d * kSixth},
+                          3});
     else
-      segments.push_back({{b, (c - a) * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5, (d - a + (b - c) * 3.0) * 0.5}, 3});
+      segments.push_back({{b, c * 0.5 - a * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5,
+                           b * 1.5 - a * 0.5 - c * 1.5 + d * 0.5}, 3});
   }
   return segments;
 }
@@ -101,27 +112,58 @@ struct Intersection {
   bool enters;
 };
 
-// Where on a curved segment, along its curve, a ray may touch the side.
-struct Touches {
-  int count = 0;
-  double at[10];
-};
-
-// The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
+// The curve lies across the ray: both sides of the tube share their u, the polynomial is nearly N^2, and rounding
+// decides whether it has roots.
 bool is_across(const double* n, const double* m, double radius) {
   double n_size = 0, m_size = 0;
   for (int i = 0; i < 6; ++i) n_size = std::max(n_size, std::fabs(n[i]));
   for (int i = 0; i < 3; ++i) m_size = std::max(m_size, std::fabs(m[i]));
-  return m_size * radius < 1e-6 * n_size;
+  return m_size * radius < 1e-4 * n_size;
 }
-void find_across(const double* n, Touches& touches) { touches.count = bernstein_roots<5>(n, 0, 1, touches.at); }
+
+// t^2 + B(u) t + K(u) = 0 where a ray meets the sphere at u of a segment. In powers of u.
+struct Spheres {
+  double b[4], k[7];
+
+  Spheres(const Segment& s, const LocalRay& l) {
+    const auto& [c0, c1, c2, c3] = s.c;
+    const Vec3 to = center_of(c0) - l.origin, v1 = center_of(c1), v2 = center_of(c2), v3 = center_of(c3);
+    const double r0 = c0.w, r1 = c1.w, r2 = c2.w, r3 = c3.w;
+    b[0] = -2 * dot(to, l.direction), b[1] = -2 * dot(v1, l.direction);
+    b[2] = -2 * dot(v2, l.direction), b[3] = -2 * dot(v3, l.direction);
+    k[0] = dot(to, to) - r0 * r0;
+    k[1] = 2 * (dot(to, v1) - r0 * r1);
+    k[2] = 2 * dot(to, v2) - 2 * r0 * r2 + dot(v1, v1) - r1 * r1;
+    k[3] = 2 * dot(to, v3) + 2 * dot(v1, v2) - 2 * r0 * r3 - 2 * r1 * r2;
+    k[4] = 2 * dot(v1, v3) + dot(v2, v2) - 2 * r1 * r3 - r2 * r2;
+    k[5] = 2 * (dot(v2, v3) - r2 * r3);
+    k[6] = dot(v3, v3) - r3 * r3;
+  }
+
+  // What is left of it and its derivative by u without t: K'^2 - B B' K' + B'^2 K, u to the n-th.
+  double touching(int n) const {
+    double sum = 0;
+    for (int i = std::max(1, n - 4), j = n + 2 - i; i <= j; ++i, --j)
+      sum += i == j ? i * i * (k[i] * k[i]) : 2 * i * j * k[j] * k[i];
+    const int first = std::max(0, n - 4);
+    for (int l = std::max(first, n - 1); l <= 6 && l <= n + 1; ++l) {
+      const int j = n + 2 - l;
+      if (l > 0) sum += -j * l * b[j] * k[l] * b[0];
+    }
+    for (int l = first; l <= 6 && l <= n; ++l)
+      for (int i = (n + 2 - l) / 2, j = n + 2 - l - i; i > 0 && j <= 3; --i, ++j) {
+        const int factor = i == j ? i * (i - l) : 2 * i * j - (i + j) * l;
+        if (factor != 0) sum += i == j ? factor * k[l] * (b[i] * b[i]) : factor * b[j] * b[i] * k[l];
+      }
+    return sum;
+  }
+};
 
 // A segment that a ray of several may meet.
 struct Visit {
   std::uint32_t segment;
   int lane;
-  bool solved;
-  Touches touches;
+  bool solved, touched;
 };
 
 class SphereSweep final : public SearchPrimitive<SphereSweep> {
@@ -143,7 +185,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     Scratch<Intersection> all;
-    each_segment_met(l, [&](std::uint32_t i) { segment(i, l, nullptr, all); });
+    each_segment_met(l, [&](std::uint32_t i) { segment(i, l, may_touch(segments_[i], l), all); });
     report(l, all, sink);
   }
 
@@ -155,7 +197,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     unsigned met = 0;
     each_lane(admitted, [&](int k) {
       first[k] = visits.size();
-      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, {}}); });
+      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, true}); });
       end[k] = visits.size();
       met |= end[k] > first[k] ? 1u << k : 0;
     });
@@ -168,7 +210,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     each_lane(met, [&](int k) {
       const LocalRay l = local(rays.at(k));
       Scratch<Intersection> all;
-      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
+      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, visits[v].touched, all);
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       report(l, all, sink);
       found |= sink.found() ? 1u << k : 0;
@@ -203,7 +245,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   Vec3 geometric_normal(const Hit& hit) const {
     const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
     const auto part = static_cast<Part>(hit.part % 4);
-    const Vec4 sphere = s.at(hit.u);
+    const Vec4 sphere = part == joint && hit.u == 1 ? s.end() : s.at(hit.u);
     Vec3 n;
     if (part == start_plane)
       n = -center_of(s.slope(0));
@@ -211,8 +253,8 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
       n = center_of(s.slope(1));
     else
       n = found_point(hit, moved_by()) - center_of(sphere);
-    // Joints are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
-    if (part == joint)
+    // Spheres are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
+    if (part == joint || (part == side && s.degree > 1))
       n *= 1 / sphere.w;
     else if (n != Vec3(0))
       n = normalize(n);
@@ -221,13 +263,14 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
 
  private:
   const Transform* moved_by() const { return has_matrix() ? &matrix() : nullptr; }
+  // What lies behind the origin counts for nesting, too.
   template <class Meet>
   void each_segment_met(const LocalRay& l, Meet&& meet) const {
     if (tree_.empty()) {
       for (std::uint32_t i = 0; i < segments_.size(); ++i) meet(i);
       return;
     }
-    tree_.traverse({l.origin, l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
+    tree_.traverse({l.origin, l.direction}, -HUGE_VAL, HUGE_VAL, [&](std::uint32_t i, double limit) {
       meet(i);
       return limit;
     });
@@ -251,8 +294,17 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     if (all.size() > 1) add(all[all.size() - 1]);
   }
 
-  // Each ray has its own list of segments; those of the same segment are solved together.
-  // The touches of a visit and of those behind it of the same segment.
+  // Whether the side is touched, by a polynomial that is precise: POV-Ray's decides where.
+  static bool may_touch(const Segment& s, const LocalRay& l) {
+    if (s.degree == 1) return true;
+    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
+                 direction[3] = {l.direction.x, l.direction.y, l.direction.z};
+    SweepSide<double> side;
+    follow(cubic_of(s), origin, direction, side);
+    double root;
+    return is_across(side.n, side.m, s.at(0.5).w) || bernstein_roots<10>(side.power, 0, 1, &root, 1) > 0;
+  }
+  // The same for a visit and for those behind it of the same segment. Each ray has its own list of segments.
   void solve_together(const LocalPacket& rays, Scratch<Visit>& visits, std::size_t begin) const {
     const std::uint32_t index = visits[begin].segment;
     const Segment& s = segments_[index];
@@ -260,62 +312,54 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     SweepSidePacket side;
     sweep_follow()(cubic_of(s), rays, side);
     RootPacket roots;
-    Visit* of_lane[RayPacket::kCount];
     unsigned wanted = 0;
+    Visit* of_lane[RayPacket::kCount];
     for (std::size_t v = begin; v < visits.size(); ++v) {
       Visit& visit = visits[v];
       if (visit.segment != index) continue;
       const int k = visit.lane;
-      visit.solved = true;
       double n[6], m[3];
       for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
       for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
-      if (is_across(n, m, radius)) {
-        find_across(n, visit.touches);
-        continue;
-      }
+      visit.solved = true, visit.touched = is_across(n, m, radius);
+      if (visit.touched) continue;
       of_lane[k] = &visit;
       roots.from[k] = 0, roots.to[k] = 1;
       wanted |= 1u << k;
     }
     for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayPacket::kCount, roots.power[i]);
-    unsigned open = bernstein_kernels().begin(10, wanted, roots);
-    while (open != 0) {
-      open = bernstein_kernels().next(10, open, roots);
-      each_lane(open, [&](int k) {
-        Touches& touches = of_lane[k]->touches;
-        touches.at[touches.count++] = roots.root[k];
-      });
-    }
+    const unsigned open = bernstein_kernels().begin(10, wanted, roots);
+    if (open != 0) each_lane(bernstein_kernels().next(10, open, roots), [&](int k) { of_lane[k]->touched = true; });
   }
 
-  // `touches`: of the side, if they are known.
-  void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Intersection>& all) const {
+  // `touched`: its side.
+  void segment(std::size_t i, const LocalRay& l, bool touched, Scratch<Intersection>& all) const {
     const Segment& s = segments_[i];
     const auto index = static_cast<std::int32_t>(i);
     joint_sphere(s.c[0], 0, index, l, all);
-    if (i + 1 == segments_.size()) joint_sphere(s.at(1), 1, index, l, all);
+    if (i + 1 == segments_.size()) joint_sphere(s.end(), 1, index, l, all);
     plane(s, 0, index, l, all);
     plane(s, 1, index, l, all);
     if (s.degree == 1)
       linear_side(s, index, l, all);
-    else
-      curved_side(s, index, l, touches ? *touches : touches_of(s, l), all);
+    else if (touched)
+      curved_side(s, index, l, all);
   }
 
+  // False, too: it is wholly behind the origin.
   static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
     const Vec3 to = center_of(sphere) - l.origin;
     const double closest = dot(to, l.direction), half2 = sphere.w * sphere.w - dot(to, to) + closest * closest;
     if (!(sphere.w > 0) || !(half2 > 0)) return false;
     const double half = std::sqrt(half2);
     near = closest - half, far = closest + half;
-    return std::fabs(near) < kFarthest && std::fabs(far) < kFarthest;
+    return far >= 0 && std::fabs(near) < kFarthest && far < kFarthest;
   }
 
   static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
                            Scratch<Intersection>& all) {
     double near, far;
-    if (!sphere_chord(sphere, l, near, far) || far < 0) return;
+    if (!sphere_chord(sphere, l, near, far)) return;
     all.add({near, u, index, joint, true});
     all.add({far, u, index, joint, false});
   }
@@ -362,25 +406,15 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     }
   }
 
-  static Touches touches_of(const Segment& s, const LocalRay& l) {
-    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
-                 direction[3] = {l.direction.x, l.direction.y, l.direction.z};
-    SweepSide<double> side;
-    follow(cubic_of(s), origin, direction, side);
-    Touches touches;
-    if (is_across(side.n, side.m, s.at(0.5).w))
-      find_across(side.n, touches);
-    else
-      touches.count = bernstein_roots<10>(side.power, 0, 1, touches.at);
-    return touches;
-  }
-
-  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches,
-                          Scratch<Intersection>& all) {
-    for (int i = 0; i < touches.count; ++i) {
-      const double u = touches.at[i];
+  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) {
+    const Spheres spheres(s, l);
+    double touching[11], roots[10];
+    for (int n = 0; n <= 10; ++n) touching[10 - n] = spheres.touching(n);
+    const int count = solve_polynomial(10, touching, roots, true, 0, 0, 1);
+    for (int i = 0; i < count; ++i) {
+      const double u = roots[i];
       double enter, leave;
-      if (!sphere_chord(s.at(u), l, enter, leave)) continue;
+      if (!(u >= 0 && u <= 1) || !sphere_chord(s.at(u), l, enter, leave)) continue;
       // Only one end of the chord lies on the envelope, but POV-Ray reports both.
       all.add({enter, u, index, side, true});
       all.add({leave, u, index, side, false});

@@ -4,9 +4,12 @@
 // two planes. A ray crosses the envelope where |O + tD - C(u)|^2 = R(u)^2 and the derivative of that by u vanishes;
 // eliminating t leaves a polynomial of degree 2 or 10 in u. All intersections are sorted, and a nesting counter keeps
 // those that enter or leave the union.
+//
+// Coefficients, roots and depths have all of POV-Ray's bits (spec 08 F).
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/math/bernstein_packet.h"
@@ -38,9 +41,10 @@ struct Segment {
     sphere.w = c[3].w * u * u * u + c[2].w * u * u + c[1].w * u + c[0].w;
     return sphere;
   }
-  // The last joint, summed as centres are.
+  // At u = 1, summed as centres are.
   Vec4 end() const { return c[0] + c[1] + c[2] + c[3]; }
-  Vec4 slope(double u) const { return (c[3] * (3 * u) + c[2] * 2.0) * u + c[1]; }
+  Vec4 start_slope() const { return c[1]; }
+  Vec4 end_slope() const { return c[1] + c[2] * 2.0 + c[3] * 3.0; }
 };
 
 Vec3 center_of(const Vec4& v) { return {v.x, v.y, v.z}; }
@@ -74,8 +78,8 @@ std::vector<Segment> segments_of(const scene::SphereSweep& sweep) {
                            b * 0.5 - a * kSixth - c * 0.5 + d * kSixth},
                           3});
     else
-      segments.push_back({{b, c * 0.5 - a * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5,
-                           b * 1.5 - a * 0.5 - c * 1.5 + d * 0.5}, 3});
+      segments.push_back(
+          {{b, c * 0.5 - a * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5, b * 1.5 - a * 0.5 - c * 1.5 + d * 0.5}, 3});
   }
   return segments;
 }
@@ -112,13 +116,17 @@ struct Intersection {
   bool enters;
 };
 
-// The curve lies across the ray: both sides of the tube share their u, the polynomial is nearly N^2, and rounding
-// decides whether it has roots.
-bool is_across(const double* n, const double* m, double radius) {
-  double n_size = 0, m_size = 0;
-  for (int i = 0; i < 6; ++i) n_size = std::max(n_size, std::fabs(n[i]));
-  for (int i = 0; i < 3; ++i) m_size = std::max(m_size, std::fabs(m[i]));
-  return m_size * radius < 1e-4 * n_size;
+// Whether the precise polynomial of a side, in powers of u, may have roots in [0, 1] for POV-Ray. Where the curve lies
+// across the ray it is nearly a square, and rounding decides: so what comes close to 0 counts. True: it does at an end;
+// else power[0] moves by as much as that.
+bool touches_at_end(double (&power)[11]) {
+  constexpr double kClose = 1e-9;
+  double size = 0, end = 0;
+  for (const double c : power) size += std::fabs(c), end += c;
+  const double close = kClose * size;
+  if (!(std::fabs(power[0]) > close && std::fabs(end) > close)) return true;
+  power[0] -= std::copysign(close, power[0]);
+  return false;
 }
 
 // t^2 + B(u) t + K(u) = 0 where a ray meets the sphere at u of a segment. In powers of u.
@@ -141,7 +149,8 @@ struct Spheres {
   }
 
   // What is left of it and its derivative by u without t: K'^2 - B B' K' + B'^2 K, u to the n-th.
-  double touching(int n) const {
+  template <int n>
+  double touching() const {
     double sum = 0;
     for (int i = std::max(1, n - 4), j = n + 2 - i; i <= j; ++i, --j)
       sum += i == j ? i * i * (k[i] * k[i]) : 2 * i * j * k[j] * k[i];
@@ -248,9 +257,9 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     const Vec4 sphere = part == joint && hit.u == 1 ? s.end() : s.at(hit.u);
     Vec3 n;
     if (part == start_plane)
-      n = -center_of(s.slope(0));
+      n = -center_of(s.start_slope());
     else if (part == end_plane)
-      n = center_of(s.slope(1));
+      n = center_of(s.end_slope());
     else
       n = found_point(hit, moved_by()) - center_of(sphere);
     // Spheres are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
@@ -279,7 +288,11 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   template <class Sink>
   void report(const LocalRay& l, Scratch<Intersection>& all, Sink& sink) const {
     if (all.size() == 0) return;
-    all.sort([](const Intersection& a, const Intersection& b) { return a.t < b.t; });
+    all.sort([](const Intersection& a, const Intersection& b) {
+      if (a.t != b.t) return a.t < b.t;
+      if ((a.part == joint) != (b.part == joint)) return a.part == joint;
+      return a.segment < b.segment;
+    });
     const auto add = [&](const Intersection& c) {
       if (!(c.t > tolerance_)) return;
       add_found(sink, c.t / l.scale, l.origin + c.t * l.direction, moved_by(), c.segment * 4 + c.part, c.u);
@@ -302,13 +315,12 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     SweepSide<double> side;
     follow(cubic_of(s), origin, direction, side);
     double root;
-    return is_across(side.n, side.m, s.at(0.5).w) || bernstein_roots<10>(side.power, 0, 1, &root, 1) > 0;
+    return touches_at_end(side.power) || bernstein_roots<10>(side.power, 0, 1, &root, 1) > 0;
   }
   // The same for a visit and for those behind it of the same segment. Each ray has its own list of segments.
   void solve_together(const LocalPacket& rays, Scratch<Visit>& visits, std::size_t begin) const {
     const std::uint32_t index = visits[begin].segment;
     const Segment& s = segments_[index];
-    const double radius = s.at(0.5).w;
     SweepSidePacket side;
     sweep_follow()(cubic_of(s), rays, side);
     RootPacket roots;
@@ -318,16 +330,16 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
       Visit& visit = visits[v];
       if (visit.segment != index) continue;
       const int k = visit.lane;
-      double n[6], m[3];
-      for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
-      for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
-      visit.solved = true, visit.touched = is_across(n, m, radius);
+      double power[11];
+      for (int i = 0; i <= 10; ++i) power[i] = side.power[i][k];
+      visit.solved = true, visit.touched = touches_at_end(power);
       if (visit.touched) continue;
       of_lane[k] = &visit;
+      for (int i = 0; i <= 10; ++i) roots.power[i][k] = power[i];
       roots.from[k] = 0, roots.to[k] = 1;
       wanted |= 1u << k;
     }
-    for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayPacket::kCount, roots.power[i]);
+    if (wanted == 0) return;
     const unsigned open = bernstein_kernels().begin(10, wanted, roots);
     if (open != 0) each_lane(bernstein_kernels().next(10, open, roots), [&](int k) { of_lane[k]->touched = true; });
   }
@@ -338,42 +350,48 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     const auto index = static_cast<std::int32_t>(i);
     joint_sphere(s.c[0], 0, index, l, all);
     if (i + 1 == segments_.size()) joint_sphere(s.end(), 1, index, l, all);
-    plane(s, 0, index, l, all);
-    plane(s, 1, index, l, all);
+    plane(s.c[0], s.start_slope(), start_plane, index, l, all);
+    plane(s.end(), s.end_slope(), end_plane, index, l, all);
     if (s.degree == 1)
       linear_side(s, index, l, all);
     else if (touched)
       curved_side(s, index, l, all);
   }
 
-  // False, too: it is wholly behind the origin.
+  // False, too: none of it is before the origin.
   static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
     const Vec3 to = center_of(sphere) - l.origin;
     const double closest = dot(to, l.direction), half2 = sphere.w * sphere.w - dot(to, to) + closest * closest;
-    if (!(sphere.w > 0) || !(half2 > 0)) return false;
+    if (!(half2 > kEpsilon)) return false;
     const double half = std::sqrt(half2);
     near = closest - half, far = closest + half;
-    return far >= 0 && std::fabs(near) < kFarthest && far < kFarthest;
+    return far > 0 && std::fabs(near) < kFarthest && far < kFarthest;
+  }
+
+  // Normals point inwards where the radius is negative.
+  static void add_chord(double near, double far, double u, std::int32_t index, Part part, double radius,
+                        Scratch<Intersection>& all) {
+    all.add({near, u, index, part, radius > 0});
+    all.add({far, u, index, part, !(radius > 0)});
   }
 
   static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
                            Scratch<Intersection>& all) {
     double near, far;
     if (!sphere_chord(sphere, l, near, far)) return;
-    all.add({near, u, index, joint, true});
-    all.add({far, u, index, joint, false});
+    add_chord(near, far, u, index, joint, sphere.w, all);
   }
 
   // C'(u).(P - C(u)) + R R' = 0 within the sphere at that end of a segment.
-  static void plane(const Segment& s, double u, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) {
-    const Vec4 sphere = s.at(u), slope = s.slope(u);
+  static void plane(const Vec4& sphere, const Vec4& slope, Part end, std::int32_t index, const LocalRay& l,
+                    Scratch<Intersection>& all) {
     const Vec3 n = center_of(slope), c = center_of(sphere);
     const double along = dot(n, l.direction);
     if (std::fabs(along) < kEpsilon) return;
     const double t = -(dot(n, l.origin - c) + sphere.w * slope.w) / along;
     const Vec3 from = l.origin + t * l.direction - c;
-    if (!(dot(from, from) <= sphere.w * sphere.w) || !(std::fabs(t) < kFarthest)) return;
-    all.add({t, u, index, u == 0 ? start_plane : end_plane, (u == 0) == (along > 0)});
+    if (!(dot(from, from) < sphere.w * sphere.w) || !(std::fabs(t) < kFarthest)) return;
+    all.add({t, end == start_plane ? 0.0 : 1.0, index, end, (end == start_plane) == (along > 0)});
   }
 
   static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l,
@@ -409,15 +427,16 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) {
     const Spheres spheres(s, l);
     double touching[11], roots[10];
-    for (int n = 0; n <= 10; ++n) touching[10 - n] = spheres.touching(n);
+    [&]<std::size_t... N>(std::index_sequence<N...>) { ((touching[10 - N] = spheres.touching<N>()), ...); }
+    (std::make_index_sequence<11>());
     const int count = solve_polynomial(10, touching, roots, true, 0, 0, 1);
     for (int i = 0; i < count; ++i) {
       const double u = roots[i];
       double enter, leave;
-      if (!(u >= 0 && u <= 1) || !sphere_chord(s.at(u), l, enter, leave)) continue;
+      if (!(u >= 0 && u <= 1)) continue;
+      const Vec4 sphere = s.at(u);
       // Only one end of the chord lies on the envelope, but POV-Ray reports both.
-      all.add({enter, u, index, side, true});
-      all.add({leave, u, index, side, false});
+      if (sphere_chord(sphere, l, enter, leave)) add_chord(enter, leave, u, index, side, sphere.w, all);
     }
   }
 

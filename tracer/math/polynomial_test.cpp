@@ -88,6 +88,23 @@ TEST(Polynomial, SturmBisectsWhereRegulaFalsiFails) {
   for (const auto& [c, root] : known) EXPECT_EQ(solve(c, true), std::vector<double>{root});
 }
 
+// Values of POV-Ray's, too, of squares: the last bits of the sequence decide where halving ends.
+TEST(Polynomial, SturmFindsDoubleRootsWherePovRayDoes) {
+  const std::pair<std::vector<double>, double> known[] = {
+      {{6.25, -21.875, 26.953125, -13.671875, 2.44140625}, 0.5000000043591826},
+      {{14.0625, -56.25, 82.6171875, -52.734375, 12.359619140625}, 0.7500000058022616},
+      {{3.0625, -19.90625, 48.42578125, -52.25390625, 21.1025390625}, 1.4999998382275854},
+      {{12.25, -134.75, 617.09375, -1505.984375, 2065.7041015625, -1510.00390625, 459.56640625}, 1.750381867999585},
+      {{5.0625, -22.78125, 43.34765625, -44.61328125, 26.1826171875, -8.3056640625, 1.11236572265625},
+       0.7499998755378101},
+  };
+  for (const auto& [c, root] : known) {
+    const std::vector<double> found = solve(c, true);
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(*std::min_element(found.begin(), found.end()), root);
+  }
+}
+
 // What is asked for is the same whether the rest is, too.
 TEST(Polynomial, SturmLeavesOutWhatIsNotWanted) {
   std::mt19937 random(9);

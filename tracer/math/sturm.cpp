@@ -28,7 +28,8 @@ struct Chain {
     }
   }
 
-  // Minus the remainder of the last two members, made monic up to its sign. False: it vanishes.
+  // Minus the remainder of the last two members, made monic up to its sign. A remainder without x ends the chain, be it
+  // 0. False: it is the last one.
   bool append_remainder() {
     const int n = degree[length - 2], m = degree[length - 1];
     double work[kMaxPolynomialDegree + 1];
@@ -39,15 +40,15 @@ struct Chain {
       for (int k = 0; k <= m; ++k) work[i + k] -= factor * divisor[k];
     }
     int first = n - m + 1;
-    for (int i = first; i <= n; ++i)
-      if (std::fabs(work[i]) < kSmallCoefficient) work[i] = 0;
-    while (first <= n && work[first] == 0) ++first;
-    if (first > n) return false;
-    const double size = std::fabs(work[first]);
+    while (first < n && std::fabs(work[first]) < kSmallCoefficient) ++first;
+    if (first == n && std::fabs(work[n]) < kSmallCoefficient) work[n] = 0;
+    // Each step of the division by a member with a negative leading coefficient turns the sign.
+    const bool turned = divisor[0] < 0 && (n - m) % 2 == 0;
+    const double size = work[first] == 0 ? 1 : std::fabs(work[first]), divided_by = turned ? size : -size;
     degree[length] = n - first;
-    for (int i = first; i <= n; ++i) c[length][i - first] = -work[i] / size;
+    for (int i = first; i <= n; ++i) c[length][i - first] = work[i] / divided_by;
     ++length;
-    return true;
+    return first < n;
   }
 
   double value(double x) const { return degree[0] == 4 ? quartic(c[0], x) : evaluate_polynomial(degree[0], c[0], x); }
@@ -60,12 +61,12 @@ struct Chain {
         return ((v[0] < 0) ^ (v[1] < 0)) + ((v[1] < 0) ^ (v[2] < 0)) + ((v[2] < 0) ^ (v[3] < 0)) +
                ((v[3] < 0) ^ (v[4] < 0));
     }
+    // What follows a zero counts as a change, so at a multiple root rounding decides.
     int changes = 0;
-    double last = 0;
-    for (int i = 0; i < length; ++i) {
+    double last = value(x);
+    for (int i = 1; i < length; ++i) {
       const double v = evaluate_polynomial(degree[i], c[i], x);
-      if (v == 0) continue;
-      if (last != 0 && (v < 0) != (last < 0)) ++changes;
+      changes += last == 0 || last * v < 0;
       last = v;
     }
     return changes;
@@ -159,7 +160,8 @@ class Isolation {
   void find(double low, double high, int changes_low, int changes_high) {
     const int count = changes_low - changes_high;
     if (count <= 0 || count_ >= chain_.degree[0]) return;
-    if (count == 1 && (high < from_ || low > to_)) return add(high < from_ ? low : high);
+    if (low > to_) return add(high);
+    if (count == 1 && high < from_) return add(low);
     if (count == 1 && found_by_regula_falsi(low, high)) return;
     bisect(low, high, changes_low, changes_high, 0);
   }
@@ -172,21 +174,18 @@ class Isolation {
   }
 
   void bisect(double low, double high, int changes_low, int changes_high, int steps) {
+    const bool single = changes_low - changes_high == 1;
     double middle = high;
     for (; steps < kMaxSteps; ++steps) {
       middle = 0.5 * (low + high);
       const int changes = chain_.sign_changes(middle);
       const double width = std::fabs(middle) > kPrecision ? std::fabs((high - low) / middle) : std::fabs(high - low);
       if (width < kPrecision) break;
-      const int left = changes_low - changes, right = changes - changes_high;
-      if (left > 0 && right > 0) {
+      if (!single && changes != changes_low && changes != changes_high) {
         find(low, middle, changes_low, changes);
         return find(middle, high, changes, changes_high);
       }
-      if (left > 0)
-        high = middle, changes_high = changes;
-      else
-        low = middle, changes_low = changes;
+      (changes == changes_low ? low : high) = middle;
     }
     add(middle);  // a multiple root, or one that regula falsi did not come to
   }

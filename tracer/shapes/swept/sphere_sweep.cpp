@@ -4,9 +4,12 @@
 // two planes. A ray crosses the envelope where |O + tD - C(u)|^2 = R(u)^2 and the derivative of that by u vanishes;
 // eliminating t leaves a polynomial of degree 2 or 10 in u. All intersections are sorted, and a nesting counter keeps
 // those that enter or leave the union.
+//
+// Coefficients, roots and depths have all of POV-Ray's bits (spec 08 F).
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/math/bernstein_packet.h"
@@ -22,6 +25,7 @@ namespace {
 
 constexpr double kFarthest = 1e7;
 constexpr double kAcross = 1e-4;  // of a ray across the way of the spheres
+constexpr double kSixth = 1 / 6.0, kTwoThirds = 4 / 6.0;
 constexpr std::size_t kFewParts = 1;
 
 using Vec4 = Imath::V4d;  // centre and radius
@@ -30,8 +34,17 @@ struct Segment {
   std::array<Vec4, 4> c{Vec4(0), Vec4(0), Vec4(0), Vec4(0)};  // powers of u
   int degree = 1;
 
-  Vec4 at(double u) const { return ((c[3] * u + c[2]) * u + c[1]) * u + c[0]; }
-  Vec4 slope(double u) const { return (c[3] * (3 * u) + c[2] * 2.0) * u + c[1]; }
+  // Centre and radius are summed in opposite orders.
+  Vec4 at(double u) const {
+    const double u2 = u * u, u3 = u2 * u;
+    Vec4 sphere = c[0] + c[1] * u + c[2] * u2 + c[3] * u3;
+    sphere.w = c[3].w * u * u * u + c[2].w * u * u + c[1].w * u + c[0].w;
+    return sphere;
+  }
+  // At u = 1, summed as centres are.
+  Vec4 end() const { return c[0] + c[1] + c[2] + c[3]; }
+  Vec4 start_slope() const { return c[1]; }
+  Vec4 end_slope() const { return c[1] + c[2] * 2.0 + c[3] * 3.0; }
 };
 
 Vec3 center_of(const Vec4& v) { return {v.x, v.y, v.z}; }
@@ -61,10 +74,12 @@ std::vector<Segment> segments_of(const scene::SphereSweep& sweep) {
   for (std::size_t i = 0; i + 3 < n; ++i) {
     const Vec4 &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[i + 3];
     if (sweep.spline == scene::SplineKind::b_spline)
-      segments.push_back(
-          {{(a + b * 4.0 + c) / 6.0, (c - a) * 0.5, (a - b * 2.0 + c) * 0.5, (d - a + (b - c) * 3.0) / 6.0}, 3});
+      segments.push_back({{a * kSixth + b * kTwoThirds + c * kSixth, c * 0.5 - a * 0.5, a * 0.5 - b + c * 0.5,
+                           b * 0.5 - a * kSixth - c * 0.5 + d * kSixth},
+                          3});
     else
-      segments.push_back({{b, (c - a) * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5, (d - a + (b - c) * 3.0) * 0.5}, 3});
+      segments.push_back(
+          {{b, c * 0.5 - a * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5, b * 1.5 - a * 0.5 - c * 1.5 + d * 0.5}, 3});
   }
   return segments;
 }
@@ -101,27 +116,63 @@ struct Intersection {
   bool enters;
 };
 
-// Where on a curved segment, along its curve, a ray may touch the side.
-struct Touches {
-  int count = 0;
-  double at[10];
-};
-
-// The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
-bool is_across(const double* n, const double* m, double radius) {
-  double n_size = 0, m_size = 0;
-  for (int i = 0; i < 6; ++i) n_size = std::max(n_size, std::fabs(n[i]));
-  for (int i = 0; i < 3; ++i) m_size = std::max(m_size, std::fabs(m[i]));
-  return m_size * radius < 1e-6 * n_size;
+// Whether the precise polynomial of a side, in powers of u, may have roots in [0, 1] for POV-Ray. Where the curve lies
+// across the ray it is nearly a square, and rounding decides: so what comes close to 0 counts. True: it does at an end;
+// else power[0] moves by as much as that.
+bool touches_at_end(double (&power)[11]) {
+  constexpr double kClose = 1e-9;
+  double size = 0, end = 0;
+  for (const double c : power) size += std::fabs(c), end += c;
+  const double close = kClose * size;
+  if (!(std::fabs(power[0]) > close && std::fabs(end) > close)) return true;
+  power[0] -= std::copysign(close, power[0]);
+  return false;
 }
-void find_across(const double* n, Touches& touches) { touches.count = bernstein_roots<5>(n, 0, 1, touches.at); }
+
+// t^2 + B(u) t + K(u) = 0 where a ray meets the sphere at u of a segment. In powers of u.
+struct Spheres {
+  double b[4], k[7];
+
+  Spheres(const Segment& s, const LocalRay& l) {
+    const auto& [c0, c1, c2, c3] = s.c;
+    const Vec3 to = center_of(c0) - l.origin, v1 = center_of(c1), v2 = center_of(c2), v3 = center_of(c3);
+    const double r0 = c0.w, r1 = c1.w, r2 = c2.w, r3 = c3.w;
+    b[0] = -2 * dot(to, l.direction), b[1] = -2 * dot(v1, l.direction);
+    b[2] = -2 * dot(v2, l.direction), b[3] = -2 * dot(v3, l.direction);
+    k[0] = dot(to, to) - r0 * r0;
+    k[1] = 2 * (dot(to, v1) - r0 * r1);
+    k[2] = 2 * dot(to, v2) - 2 * r0 * r2 + dot(v1, v1) - r1 * r1;
+    k[3] = 2 * dot(to, v3) + 2 * dot(v1, v2) - 2 * r0 * r3 - 2 * r1 * r2;
+    k[4] = 2 * dot(v1, v3) + dot(v2, v2) - 2 * r1 * r3 - r2 * r2;
+    k[5] = 2 * (dot(v2, v3) - r2 * r3);
+    k[6] = dot(v3, v3) - r3 * r3;
+  }
+
+  // What is left of it and its derivative by u without t: K'^2 - B B' K' + B'^2 K, u to the n-th.
+  template <int n>
+  double touching() const {
+    double sum = 0;
+    for (int i = std::max(1, n - 4), j = n + 2 - i; i <= j; ++i, --j)
+      sum += i == j ? i * i * (k[i] * k[i]) : 2 * i * j * k[j] * k[i];
+    const int first = std::max(0, n - 4);
+    for (int l = std::max(first, n - 1); l <= 6 && l <= n + 1; ++l) {
+      const int j = n + 2 - l;
+      if (l > 0) sum += -j * l * b[j] * k[l] * b[0];
+    }
+    for (int l = first; l <= 6 && l <= n; ++l)
+      for (int i = (n + 2 - l) / 2, j = n + 2 - l - i; i > 0 && j <= 3; --i, ++j) {
+        const int factor = i == j ? i * (i - l) : 2 * i * j - (i + j) * l;
+        if (factor != 0) sum += i == j ? factor * k[l] * (b[i] * b[i]) : factor * b[j] * b[i] * k[l];
+      }
+    return sum;
+  }
+};
 
 // A segment that a ray of several may meet.
 struct Visit {
   std::uint32_t segment;
   int lane;
-  bool solved;
-  Touches touches;
+  bool solved, touched;
 };
 
 class SphereSweep final : public SearchPrimitive<SphereSweep> {
@@ -143,7 +194,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     Scratch<Intersection> all;
-    each_segment_met(l, [&](std::uint32_t i) { segment(i, l, nullptr, all); });
+    each_segment_met(l, [&](std::uint32_t i) { segment(i, l, may_touch(segments_[i], l), all); });
     report(l, all, sink);
   }
 
@@ -155,7 +206,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     unsigned met = 0;
     each_lane(admitted, [&](int k) {
       first[k] = visits.size();
-      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, {}}); });
+      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, true}); });
       end[k] = visits.size();
       met |= end[k] > first[k] ? 1u << k : 0;
     });
@@ -168,7 +219,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     each_lane(met, [&](int k) {
       const LocalRay l = local(rays.at(k));
       Scratch<Intersection> all;
-      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
+      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, visits[v].touched, all);
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       report(l, all, sink);
       found |= sink.found() ? 1u << k : 0;
@@ -203,16 +254,16 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   Vec3 geometric_normal(const Hit& hit) const {
     const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
     const auto part = static_cast<Part>(hit.part % 4);
-    const Vec4 sphere = s.at(hit.u);
+    const Vec4 sphere = part == joint && hit.u == 1 ? s.end() : s.at(hit.u);
     Vec3 n;
     if (part == start_plane)
-      n = -center_of(s.slope(0));
+      n = -center_of(s.start_slope());
     else if (part == end_plane)
-      n = center_of(s.slope(1));
+      n = center_of(s.end_slope());
     else
       n = found_point(hit, moved_by()) - center_of(sphere);
-    // Joints are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
-    if (part == joint)
+    // Spheres are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
+    if (part == joint || (part == side && s.degree > 1))
       n *= 1 / sphere.w;
     else if (n != Vec3(0))
       n = normalize(n);
@@ -221,13 +272,14 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
 
  private:
   const Transform* moved_by() const { return has_matrix() ? &matrix() : nullptr; }
+  // What lies behind the origin counts for nesting, too.
   template <class Meet>
   void each_segment_met(const LocalRay& l, Meet&& meet) const {
     if (tree_.empty()) {
       for (std::uint32_t i = 0; i < segments_.size(); ++i) meet(i);
       return;
     }
-    tree_.traverse({l.origin, l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
+    tree_.traverse({l.origin, l.direction}, -HUGE_VAL, HUGE_VAL, [&](std::uint32_t i, double limit) {
       meet(i);
       return limit;
     });
@@ -236,7 +288,11 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   template <class Sink>
   void report(const LocalRay& l, Scratch<Intersection>& all, Sink& sink) const {
     if (all.size() == 0) return;
-    all.sort([](const Intersection& a, const Intersection& b) { return a.t < b.t; });
+    all.sort([](const Intersection& a, const Intersection& b) {
+      if (a.t != b.t) return a.t < b.t;
+      if ((a.part == joint) != (b.part == joint)) return a.part == joint;
+      return a.segment < b.segment;
+    });
     const auto add = [&](const Intersection& c) {
       if (!(c.t > tolerance_)) return;
       add_found(sink, c.t / l.scale, l.origin + c.t * l.direction, moved_by(), c.segment * 4 + c.part, c.u);
@@ -251,85 +307,91 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     if (all.size() > 1) add(all[all.size() - 1]);
   }
 
-  // Each ray has its own list of segments; those of the same segment are solved together.
-  // The touches of a visit and of those behind it of the same segment.
+  // Whether the side is touched, by a polynomial that is precise: POV-Ray's decides where.
+  static bool may_touch(const Segment& s, const LocalRay& l) {
+    if (s.degree == 1) return true;
+    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
+                 direction[3] = {l.direction.x, l.direction.y, l.direction.z};
+    SweepSide<double> side;
+    follow(cubic_of(s), origin, direction, side);
+    double root;
+    return touches_at_end(side.power) || bernstein_roots<10>(side.power, 0, 1, &root, 1) > 0;
+  }
+  // The same for a visit and for those behind it of the same segment. Each ray has its own list of segments.
   void solve_together(const LocalPacket& rays, Scratch<Visit>& visits, std::size_t begin) const {
     const std::uint32_t index = visits[begin].segment;
     const Segment& s = segments_[index];
-    const double radius = s.at(0.5).w;
     SweepSidePacket side;
     sweep_follow()(cubic_of(s), rays, side);
     RootPacket roots;
-    Visit* of_lane[RayPacket::kCount];
     unsigned wanted = 0;
+    Visit* of_lane[RayPacket::kCount];
     for (std::size_t v = begin; v < visits.size(); ++v) {
       Visit& visit = visits[v];
       if (visit.segment != index) continue;
       const int k = visit.lane;
-      visit.solved = true;
-      double n[6], m[3];
-      for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
-      for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
-      if (is_across(n, m, radius)) {
-        find_across(n, visit.touches);
-        continue;
-      }
+      double power[11];
+      for (int i = 0; i <= 10; ++i) power[i] = side.power[i][k];
+      visit.solved = true, visit.touched = touches_at_end(power);
+      if (visit.touched) continue;
       of_lane[k] = &visit;
+      for (int i = 0; i <= 10; ++i) roots.power[i][k] = power[i];
       roots.from[k] = 0, roots.to[k] = 1;
       wanted |= 1u << k;
     }
-    for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayPacket::kCount, roots.power[i]);
-    unsigned open = bernstein_kernels().begin(10, wanted, roots);
-    while (open != 0) {
-      open = bernstein_kernels().next(10, open, roots);
-      each_lane(open, [&](int k) {
-        Touches& touches = of_lane[k]->touches;
-        touches.at[touches.count++] = roots.root[k];
-      });
-    }
+    if (wanted == 0) return;
+    const unsigned open = bernstein_kernels().begin(10, wanted, roots);
+    if (open != 0) each_lane(bernstein_kernels().next(10, open, roots), [&](int k) { of_lane[k]->touched = true; });
   }
 
-  // `touches`: of the side, if they are known.
-  void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Intersection>& all) const {
+  // `touched`: its side.
+  void segment(std::size_t i, const LocalRay& l, bool touched, Scratch<Intersection>& all) const {
     const Segment& s = segments_[i];
     const auto index = static_cast<std::int32_t>(i);
     joint_sphere(s.c[0], 0, index, l, all);
-    if (i + 1 == segments_.size()) joint_sphere(s.at(1), 1, index, l, all);
-    plane(s, 0, index, l, all);
-    plane(s, 1, index, l, all);
+    if (i + 1 == segments_.size()) joint_sphere(s.end(), 1, index, l, all);
+    plane(s.c[0], s.start_slope(), start_plane, index, l, all);
+    plane(s.end(), s.end_slope(), end_plane, index, l, all);
     if (s.degree == 1)
       linear_side(s, index, l, all);
-    else
-      curved_side(s, index, l, touches ? *touches : touches_of(s, l), all);
+    else if (touched)
+      curved_side(s, index, l, all);
   }
 
+  // False, too: none of it is before the origin.
   static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
     const Vec3 to = center_of(sphere) - l.origin;
     const double closest = dot(to, l.direction), half2 = sphere.w * sphere.w - dot(to, to) + closest * closest;
-    if (!(sphere.w > 0) || !(half2 > 0)) return false;
+    if (!(half2 > kEpsilon)) return false;
     const double half = std::sqrt(half2);
     near = closest - half, far = closest + half;
-    return std::fabs(near) < kFarthest && std::fabs(far) < kFarthest;
+    return far > 0 && std::fabs(near) < kFarthest && far < kFarthest;
+  }
+
+  // Normals point inwards where the radius is negative.
+  static void add_chord(double near, double far, double u, std::int32_t index, Part part, double radius,
+                        Scratch<Intersection>& all) {
+    all.add({near, u, index, part, radius > 0});
+    all.add({far, u, index, part, !(radius > 0)});
   }
 
   static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
                            Scratch<Intersection>& all) {
     double near, far;
-    if (!sphere_chord(sphere, l, near, far) || far < 0) return;
-    all.add({near, u, index, joint, true});
-    all.add({far, u, index, joint, false});
+    if (!sphere_chord(sphere, l, near, far)) return;
+    add_chord(near, far, u, index, joint, sphere.w, all);
   }
 
   // C'(u).(P - C(u)) + R R' = 0 within the sphere at that end of a segment.
-  static void plane(const Segment& s, double u, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) {
-    const Vec4 sphere = s.at(u), slope = s.slope(u);
+  static void plane(const Vec4& sphere, const Vec4& slope, Part end, std::int32_t index, const LocalRay& l,
+                    Scratch<Intersection>& all) {
     const Vec3 n = center_of(slope), c = center_of(sphere);
     const double along = dot(n, l.direction);
     if (std::fabs(along) < kEpsilon) return;
     const double t = -(dot(n, l.origin - c) + sphere.w * slope.w) / along;
     const Vec3 from = l.origin + t * l.direction - c;
-    if (!(dot(from, from) <= sphere.w * sphere.w) || !(std::fabs(t) < kFarthest)) return;
-    all.add({t, u, index, u == 0 ? start_plane : end_plane, (u == 0) == (along > 0)});
+    if (!(dot(from, from) < sphere.w * sphere.w) || !(std::fabs(t) < kFarthest)) return;
+    all.add({t, end == start_plane ? 0.0 : 1.0, index, end, (end == start_plane) == (along > 0)});
   }
 
   static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l,
@@ -362,28 +424,19 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     }
   }
 
-  static Touches touches_of(const Segment& s, const LocalRay& l) {
-    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
-                 direction[3] = {l.direction.x, l.direction.y, l.direction.z};
-    SweepSide<double> side;
-    follow(cubic_of(s), origin, direction, side);
-    Touches touches;
-    if (is_across(side.n, side.m, s.at(0.5).w))
-      find_across(side.n, touches);
-    else
-      touches.count = bernstein_roots<10>(side.power, 0, 1, touches.at);
-    return touches;
-  }
-
-  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches,
-                          Scratch<Intersection>& all) {
-    for (int i = 0; i < touches.count; ++i) {
-      const double u = touches.at[i];
+  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) {
+    const Spheres spheres(s, l);
+    double touching[11], roots[10];
+    [&]<std::size_t... N>(std::index_sequence<N...>) { ((touching[10 - N] = spheres.touching<N>()), ...); }
+    (std::make_index_sequence<11>());
+    const int count = solve_polynomial(10, touching, roots, true, 0, 0, 1);
+    for (int i = 0; i < count; ++i) {
+      const double u = roots[i];
       double enter, leave;
-      if (!sphere_chord(s.at(u), l, enter, leave)) continue;
+      if (!(u >= 0 && u <= 1)) continue;
+      const Vec4 sphere = s.at(u);
       // Only one end of the chord lies on the envelope, but POV-Ray reports both.
-      all.add({enter, u, index, side, true});
-      all.add({leave, u, index, side, false});
+      if (sphere_chord(sphere, l, enter, leave)) add_chord(enter, leave, u, index, side, sphere.w, all);
     }
   }
 

@@ -22,8 +22,6 @@ void follow_packet(const SweepCubic& cubic, const LocalPacket& rays, SweepSidePa
   SweepSide<Packet> side;
   follow(cubic, origin, direction, side);
   for (int i = 0; i < 11; ++i) store(packet.power[i], side.power[i]);
-  for (int i = 0; i < 6; ++i) store(packet.n[i], side.n[i]);
-  for (int i = 0; i < 3; ++i) store(packet.m[i], side.m[i]);
 }
 
 const SweepFollow kKernels = follow_packet;

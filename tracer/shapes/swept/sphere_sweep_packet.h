@@ -12,7 +12,7 @@ struct SweepCubic {
 
 struct alignas(64) SweepSidePacket {
   using Lane = double[RayPacket::kCount];
-  Lane power[11], n[6], m[3];
+  Lane power[11];
 };
 
 using SweepFollow = void (*)(const SweepCubic& cubic, const LocalPacket& rays, SweepSidePacket& packet);

@@ -22,6 +22,7 @@
 #include <new>
 
 #include "cli/console/exit_status.h"
+#include "tracer/base/huge_pages.h"
 #include "tracer/base/resident_memory.h"
 
 namespace {
@@ -42,18 +43,19 @@ void* allocate(std::size_t size, std::size_t alignment) {
     void* block;
     if (size >= kLarge) {
       const std::size_t limit = verisim::memory_limit.load(std::memory_order_relaxed);
-      if (size > ~std::size_t{0} - kHugePage || (limit && size > limit) ||
-          (limit && size > limit - std::min(limit, verisim::resident_memory())))
-        refuse();
-      const std::size_t whole = (size + kHugePage - 1) / kHugePage * kHugePage;
-      block = std::aligned_alloc(std::max(alignment, kHugePage), whole);
-      if (block) ::madvise(block, whole, MADV_HUGEPAGE);  // advice: where there are none, small pages do
-    } else if (alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__) {
+      if (limit && (size > limit || size > limit - std::min(limit, verisim::resident_memory()))) refuse();
+    }
+    if (alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__) {
+      if (size > ~std::size_t{0} - alignment) refuse();
       block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
     } else {
       block = std::malloc(size == 0 ? 1 : size);
     }
-    if (block) return block;
+    if (block) {
+      // Not aligned to them, which would leave gaps of up to a page before and behind each block.
+      if (size >= kLarge) verisim::fill_by_huge_pages(block, size);
+      return block;
+    }
     const std::new_handler handler = std::get_new_handler();
     if (!handler) refuse();
     handler();

@@ -1,23 +1,16 @@
 // Where the tokens of a file are in its text.
-#include <sys/mman.h>
-
 #include <new>
 
 #include "parser/lexer/lexer.h"
 #include "parser/lexer/number.h"
+#include "tracer/base/huge_pages.h"
 
 namespace verisim::parser {
 
 void* allocate_huge(std::size_t bytes) {
-  constexpr std::size_t kHugePage = 2u << 20;
-  void* p;
-  if (bytes < 2 * kHugePage) {
-    p = std::malloc(bytes);
-  } else {
-    p = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
-    if (p) ::madvise(p, bytes, MADV_HUGEPAGE);  // a hint: failure means ordinary pages
-  }
+  void* const p = std::malloc(bytes);
   if (!p) throw std::bad_alloc();
+  fill_by_huge_pages(p, bytes);
   return p;
 }
 

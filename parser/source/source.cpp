@@ -57,6 +57,18 @@ std::shared_ptr<Source> Source::read(const std::filesystem::path& path, std::str
   return source;
 }
 
+void Source::add_line(std::size_t start) const {
+  if (lines_++ % kStep == 0) starts_.push_back(start);
+}
+
+// The byte after the line end that begins at byte i; 0: none begins there.
+std::size_t Source::after_line_end(std::size_t i) const {
+  const char c = bytes_[i];
+  if (c != '\n' && c != '\r') return 0;
+  const char other = c == '\n' ? '\r' : '\n';
+  return i + 1 < size_ && bytes_[i + 1] == other ? i + 2 : i + 1;
+}
+
 void Source::index_lines(std::size_t up_to) const {
   const char* p = bytes_.get();
   std::size_t i = indexed_;
@@ -65,16 +77,15 @@ void Source::index_lines(std::size_t up_to) const {
   if (i < stop && !std::memchr(p + i, '\r', std::min(size_, stop + 1) - i)) {
     while (const void* feed = std::memchr(p + i, '\n', stop - i)) {
       i = static_cast<std::size_t>(static_cast<const char*>(feed) - p) + 1;
-      line_starts_.push_back(i);
+      add_line(i);
     }
     i = stop;
   }
   while (i < size_ && i <= up_to) {
-    const char c = p[i++];
-    if (c != '\n' && c != '\r') continue;
-    const char other = c == '\n' ? '\r' : '\n';
-    if (i < size_ && p[i] == other) ++i;
-    line_starts_.push_back(i);
+    only_feeds_ = false;
+    const std::size_t next = after_line_end(i);
+    if (next) add_line(next);
+    i = next ? next : i + 1;
   }
   indexed_ = std::max(indexed_, i);
 }
@@ -82,14 +93,32 @@ void Source::index_lines(std::size_t up_to) const {
 Position Source::position(std::size_t offset) const {
   offset = std::min(offset, size_);
   index_lines(offset);
-  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
-  const auto line = static_cast<std::size_t>(next - line_starts_.begin());
-  return {static_cast<int>(line), static_cast<int>(offset - line_starts_[line - 1]) + 1};
+  const auto block = std::upper_bound(starts_.begin(), starts_.end(), offset) - 1;
+  std::size_t index = static_cast<std::size_t>(block - starts_.begin()) * kStep, start = *block;
+  const auto next_line = [&]() -> std::size_t {  // 0: it begins after the offset
+    if (only_feeds_) {
+      const char* const p = bytes_.get();
+      const void* const feed = std::memchr(p + start, '\n', offset - start);
+      return feed ? static_cast<std::size_t>(static_cast<const char*>(feed) - p) + 1 : 0;
+    }
+    for (std::size_t i = start; i < offset; ++i)
+      if (const std::size_t next = after_line_end(i)) return next <= offset ? next : 0;
+    return 0;
+  };
+  while (const std::size_t next = next_line()) ++index, start = next;
+  return {static_cast<int>(index) + 1, static_cast<int>(offset - start) + 1};
 }
 
 std::string_view Source::line(int number) const {
-  if (number < 1 || static_cast<std::size_t>(number) > line_starts_.size()) return {};
-  const std::string_view rest = text().substr(line_starts_[static_cast<std::size_t>(number) - 1]);
+  if (number < 1 || static_cast<std::size_t>(number) > lines_) return {};
+  const auto index = static_cast<std::size_t>(number) - 1;
+  std::size_t i = starts_[index / kStep];
+  for (std::size_t left = index % kStep; left > 0;) {
+    const std::size_t next = after_line_end(i);
+    i = next ? next : i + 1;
+    left -= next != 0;
+  }
+  const std::string_view rest = text().substr(i);
   return rest.substr(0, rest.find_first_of("\r\n"));
 }
 

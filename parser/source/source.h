@@ -39,12 +39,17 @@ class Source {
  private:
   explicit Source(std::string name) : name_(std::make_shared<const std::string>(std::move(name))) {}
   void index_lines(std::size_t up_to) const;
+  void add_line(std::size_t start) const;
+  std::size_t after_line_end(std::size_t i) const;
 
   std::shared_ptr<const std::string> name_;
   std::unique_ptr<char[]> bytes_;
   std::size_t size_ = 0;
-  mutable std::vector<std::uint64_t> line_starts_{0};
-  mutable std::size_t indexed_ = 0;  // bytes looked at
+  static constexpr std::size_t kStep = 8;
+  mutable std::vector<std::uint64_t> starts_{0};  // of lines 1, 1 + kStep, 1 + 2 kStep ...
+  mutable std::size_t lines_ = 1;                 // whose beginnings have been met
+  mutable std::size_t indexed_ = 0;               // bytes looked at
+  mutable bool only_feeds_ = true;                // no line has ended otherwise
 };
 
 }  // namespace verisim::parser

@@ -16,7 +16,7 @@ import tempfile
 EXAMPLES = "/usr/share/doc/povray/examples"
 SCENES = 64
 MOST_SECONDS = 30  # scenes that take longer are left out
-LONGEST_NAME = 250
+LONGEST_NAME = 250  # longer ones end in a star: the beginning of such a name tells it from all but its likes
 SIZE = ["+W40", "+H30", "-A", "+WT2", "-D"]
 # Kernels for other processors are used where ours are: names of one instruction set, and what they are for the next.
 OTHER_SETS = [("6N_AVX2", "6N_AVX3"), ("4avx2", "6avx512")]
@@ -38,6 +38,21 @@ def functions_used(program, scene, folder):
     return {re.sub(r"'\d+$", "", name) for name in names}
 
 
+def functions_by_place(program):
+    """The program's functions, each with all names of its place: the compiler names the section of a constructor as one of them, callgrind may know
+    another."""
+    table = subprocess.run(["nm", "--defined-only", program], check=True, capture_output=True, text=True).stdout
+    functions = [(line.split()[0], line.split()[-1]) for line in table.splitlines() if line.split()[-2] in "tTwW"]
+    places = collections.defaultdict(list)
+    for place, name in functions:
+        places[place].append(name)
+    return {name: places[place] for place, name in functions}
+
+
+def pattern(name):
+    return name if len(name) <= LONGEST_NAME else name[:LONGEST_NAME] + "*"
+
+
 def main():
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__.split("\n", maxsplit=1)[0])
@@ -48,15 +63,16 @@ def main():
         for scene in scenes[:: max(1, len(scenes) // SCENES)]:
             used.update(functions_used(program, scene, folder) or ())
             print(scene.name, len(used), file=sys.stderr)
-    ours = subprocess.run(["nm", "--defined-only", program], check=True, capture_output=True, text=True).stdout
-    ours = {line.split()[-1] for line in ours.splitlines() if line.split()[-2] in "tTwW"}
+    ours = functions_by_place(program)
     listed = {}
     for name, count in used.most_common():
-        if name in ours and count > 1 and len(name) <= LONGEST_NAME:
-            listed[name] = count
+        if name not in ours or count < 2:
+            continue
+        for alias in ours[name]:
+            listed.setdefault(pattern(alias), count)
             for here, other in OTHER_SETS:
-                if here in name and name.replace(here, other) in ours:
-                    listed.setdefault(name.replace(here, other), 0)
+                if here in alias and alias.replace(here, other) in ours:
+                    listed.setdefault(pattern(alias.replace(here, other)), 0)
     for name, _ in sorted(listed.items(), key=lambda item: -item[1]):
         print(name)
 

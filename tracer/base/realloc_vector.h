@@ -45,16 +45,9 @@ class ReallocVector {
   void reserve(std::size_t count) {
     if (count > capacity_) set_capacity(count);
   }
-  void shrink_to_fit() {
-    if (size_ > 0) set_capacity(size_);
-  }
-
- private:
-  static constexpr std::size_t kFirst = 256;
-  struct Free {
-    void operator()(T* p) const { std::free(p); }
-  };
+  // At least the size.
   void set_capacity(std::size_t count) {
+    if (count == 0) return;
     if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
     void* const moved = std::realloc(data_.get(), count * sizeof(T));
     if (!moved) throw std::bad_alloc();
@@ -62,6 +55,12 @@ class ReallocVector {
     data_.reset(static_cast<T*>(moved));
     capacity_ = count;
   }
+
+ private:
+  static constexpr std::size_t kFirst = 256;
+  struct Free {
+    void operator()(T* p) const { std::free(p); }
+  };
 
   std::unique_ptr<T, Free> data_;
   std::size_t size_ = 0, capacity_ = 0;

@@ -172,11 +172,11 @@ void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vect
 
 Hierarchy::Hierarchy(std::span<const Item> items) {
   std::vector<Boxed> finite, infinite;
-  nodes_.reserve(2 * items.size());
+  nodes_.reserve(2 * items.size()), finite.reserve(items.size());
   for (const Item& item : items) {
     Node leaf;
     leaf.bounds = item.bounds;
-    leaf.entry = item.entry;
+    leaf.first = item.entry;
     leaf.infinite = item.infinite;
     (item.infinite ? infinite : finite).push_back({item.bounds, static_cast<std::uint32_t>(nodes_.size())});
     nodes_.push_back(leaf);

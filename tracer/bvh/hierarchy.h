@@ -43,7 +43,7 @@ class Hierarchy {
       if (next.key > best) return;
       const Node& node = nodes_[next.node];
       if (node.count == 0) {
-        best = visit(node.entry);
+        best = visit(node.first);
         continue;
       }
       for (std::uint32_t i = 0; i < node.count; ++i) {
@@ -70,9 +70,9 @@ class Hierarchy {
 
   struct Node {
     scene::Bounds bounds;
-    std::uint32_t first = 0, count = 0;  // of children_; none: a leaf
-    std::uint32_t entry = 0;             // of a leaf
-    bool infinite = false;
+    std::uint32_t first = 0;       // of children_; of a leaf: its entry
+    std::uint32_t count : 31 = 0;  // none: a leaf
+    std::uint32_t infinite : 1 = false;
   };
   struct Waiting {
     double key;

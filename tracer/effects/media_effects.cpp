@@ -29,7 +29,7 @@ class MediaSurroundings : public MediaEnvironment {
       for (std::size_t i = 0; i < scene.global_lights(); ++i) add(scene.lights()[i]);
     }
     if (end_) {
-      for (const scene::LightSource* source : end_->group_lights) add(scene.light_of(source));
+      for (const scene::LightSource* source : end_->group_lights()) add(scene.light_of(source));
     }
     return {sources_.data(), sources_.size()};
   }

@@ -25,7 +25,7 @@ bool is_plain(const scene::Finish& f, bool highlights, bool subsurface) {
 
 Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState& ray, shading::SurfaceHit& at,
                                const shading::LayerContext& layer) const {
-  if (surface_photons_.empty() || !at.surface.photons.collect) return {};
+  if (surface_photons_.empty() || !at.surface.photons().collect) return {};
   if (!at.photon_normal) at.photon_normal = layer.normal;
   if (!reflects_photons(layer, !ray.gather)) return {};
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
@@ -74,10 +74,10 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
 
 bool SceneEffects::photons_block(const shapes::Surface* lit, const shapes::Surface& occluder,
                                  const shading::Light& light) const {
-  if (surface_photons_.empty() || !occluder.photons.target || (lit && !lit->photons.collect)) return false;
+  if (surface_photons_.empty() || !occluder.photons().target || (lit && !lit->photons().collect)) return false;
   const scene::LightSource& source = light.source();
-  const bool off = occluder.photons.refraction == scene::Flag::off || source.photon_refraction == scene::Flag::off;
-  const bool on = occluder.photons.refraction == scene::Flag::on || source.photon_refraction == scene::Flag::on;
+  const bool off = occluder.photons().refraction == scene::Flag::off || source.photon_refraction == scene::Flag::off;
+  const bool on = occluder.photons().refraction == scene::Flag::on || source.photon_refraction == scene::Flag::on;
   return on && !off;
 }
 

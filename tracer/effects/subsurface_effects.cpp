@@ -42,7 +42,7 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
     if (!at.surface.ignore_global_lights) {
       for (std::size_t i = 0; i < scene.global_lights(); ++i) lights_.push_back(&scene.lights()[i]);
     }
-    for (const scene::LightSource* source : at.surface.group_lights) lights_.push_back(&scene.light_of(source));
+    for (const scene::LightSource* source : at.surface.group_lights()) lights_.push_back(&scene.light_of(source));
   }
 
   bool nearest(const Ray& ray, SurfaceHit& hit) override {

@@ -107,7 +107,7 @@ void MediaBatch::divide(std::span<const MediaSegment> rays) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const MediaSegment& s = rays[i];
     const auto first = static_cast<std::uint32_t>(workspace_.intervals.size());
-    const bool own_lights = s.end && (s.end->ignore_global_lights || !s.end->group_lights.empty());
+    const bool own_lights = s.end && (s.end->ignore_global_lights || !s.end->group_lights().empty());
     if (s.length > 0.0 && !own_lights) {
       workspace_.dividing.look_for_lights(sources, s.ray, s.length);
       workspace_.dividing.divide(mixture_, s.length);

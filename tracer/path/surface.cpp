@@ -116,7 +116,7 @@ Rgb PathTracer::direct_light(const Walk& walk, shading::SurfaceHit& at, const La
     for (std::size_t i = 0; i < scene_.data.global_lights(); ++i)
       sum += light_source(walk, at, layers, scene_.data.lights()[i], sequence);
   }
-  for (const scene::LightSource* source : at.surface.group_lights)
+  for (const scene::LightSource* source : at.surface.group_lights())
     sum += light_source(walk, at, layers, scene_.data.light_of(source), sequence);
   return sum + emitter(walk, at, layers, sequence);
 }

@@ -6,6 +6,14 @@
 #include "tracer/math/constants.h"
 
 namespace verisim::global {
+
+static_assert(sizeof(Photon) == 7 && sizeof(PhotonPosition) == 12);
+
+void PhotonList::fit() {
+  positions.set_capacity(size() + kBehind), photons.set_capacity(size());
+  std::fill_n(positions.end(), kBehind, PhotonPosition{});
+}
+
 std::array<std::uint8_t, 4> Photon::encode(const Rgb& energy) {
   const float v = energy.max();
   if (std::isnan(v)) return {0, 0, 0, 250};  // of a packet that media left nothing known of (spec 07 3.8)

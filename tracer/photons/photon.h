@@ -1,20 +1,24 @@
 // A stored photon (spec 07 section 3.7).
 //
 // It keeps what POV-Ray's keeps: binary32 position, a shared-exponent colour and a direction in two signed bytes; the
-// rounding shows in pictures.
+// rounding shows in pictures. Positions are stored apart, because searches read nothing else of the many that they
+// pass.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "tracer/base/realloc_vector.h"
 #include "tracer/math/color.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::global {
 
+using PhotonPosition = std::array<float, 3>;
+
+// What it carries.
 struct Photon {
-  std::array<float, 3> position;
   std::array<std::uint8_t, 4> energy;  // mantissas and exponent + 250
   std::uint8_t axis = 0;               // of the tree node
   std::int8_t elevation = 0, azimuth = 0;
@@ -31,6 +35,23 @@ struct Photon {
   };
   static const std::array<float, 256> kScales;
   static const std::array<Angle, 256> kAngles;
+};
+
+// Photons by number, which grow by one after another or all at once.
+struct PhotonList {
+  ReallocVector<PhotonPosition> positions;
+  ReallocVector<Photon> photons;
+
+  std::size_t size() const { return photons.size(); }
+  bool empty() const { return photons.empty(); }
+  void add(const PhotonPosition& position, const Photon& photon) {
+    positions.push_back(position), photons.push_back(photon);
+  }
+  void append(const PhotonList& other) { positions.append(other.positions), photons.append(other.photons); }
+  void reserve(std::size_t count) { positions.reserve(count + kBehind), photons.reserve(count); }
+  // Gives back what is not needed, but for positions behind the last one, which kernels may read.
+  void fit();
+  static constexpr std::size_t kBehind = 16;
 };
 
 // Some photons of a map.

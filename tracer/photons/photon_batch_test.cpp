@@ -34,7 +34,7 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
                opacity * diffuse, opacity * back};
   for (std::size_t i = 0; i < count; ++i) {
     Photon p;
-    p.position = {0, 0, 0}, p.energy = Photon::encode(color());
+    p.energy = Photon::encode(color());
     p.set_direction(direction());
     c.photons.push_back(p);
     const double cosine = dot(c.surface.normal, p.direction()),

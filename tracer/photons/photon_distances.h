@@ -17,17 +17,17 @@ namespace verisim::global {
 // through the point are larger by a factor 1 + 16 |normal . delta|.
 struct PhotonCenter {
   Vec3 point, normal;
-  double squared_distance(const Photon& photon) const {
-    const Vec3 d = Vec3(photon.position[0], photon.position[1], photon.position[2]) - point;
+  double squared_distance(const PhotonPosition& photon) const {
+    const Vec3 d = Vec3(photon[0], photon[1], photon[2]) - point;
     return dot(d, d) * (1.0 + 16.0 * std::fabs(dot(normal, d)));
   }
 };
 
 // Photons of a map, measured from a center.
 struct PhotonMeasure {
-  const Photon* photons;
+  const PhotonPosition* positions;
   PhotonCenter center;
-  double squared(std::uint32_t number) const { return center.squared_distance(photons[number]); }
+  double squared(std::uint32_t number) const { return center.squared_distance(positions[number]); }
 };
 
 // Photons by number, with their flattened distances, squared and rounded.

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "tracer/photons/photon_order.h"
+#include "tracer/photons/photon_search.h"
 #include "tracer/photons/photon_tree.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -26,7 +26,7 @@ namespace HWY_NAMESPACE {
 using namespace simd::HWY_NAMESPACE;
 
 constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
-constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce, kEight = kLanes;
+constexpr std::size_t kAtOnce = kPhotonsAtOnce, kEight = kLanes;
 // Times the wanted number of photons is when the nearest are picked out, and the search narrowed.
 constexpr std::size_t kCrowd = 3;
 
@@ -66,6 +66,52 @@ HWY_INLINE void pack(unsigned which, const P& a, T* to) {
 
 // 1 where the mask is set, elsewhere 0.
 HWY_INLINE Words ones(const FloatPacket::Mask& mask) { return select(mask, Words(1u), Words(0u)); }
+
+// Of eight photons that lie one after another. Highway's way takes twice the instructions.
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE void load_positions(const PhotonPosition* from, FloatPacket& x, FloatPacket& y, FloatPacket& z) {
+  const float* const p = from->data();
+  const __m512 low = _mm512_loadu_ps(p), high = _mm512_castps256_ps512(_mm256_loadu_ps(p + 16));
+  const auto every_third = [&](int first) {
+    const __m512i places = _mm512_add_epi32(_mm512_set1_epi32(first),
+                                            _mm512_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21, 0, 0, 0, 0, 0, 0, 0, 0));
+    return hn::Vec<FloatPacket::D>{_mm512_castps512_ps256(_mm512_permutex2var_ps(low, places, high))};
+  };
+  x.v[0] = every_third(0), y.v[0] = every_third(1), z.v[0] = every_third(2);
+}
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE void load_positions(const PhotonPosition* from, FloatPacket& x, FloatPacket& y, FloatPacket& z) {
+  const float* const p = from->data();
+  const __m256 a = _mm256_loadu_ps(p), b = _mm256_loadu_ps(p + 8), c = _mm256_loadu_ps(p + 16);
+  // Three and eight have no common divisor, so that all numbers of a coordinate are in different lanes.
+  constexpr int k036 = 0b01001001, k147 = 0b10010010, k25 = 0b00100100;
+  const __m256i order = _mm256_setr_epi32(0, 3, 6, 1, 4, 7, 2, 5);
+  const auto turned = [&](int by) { return _mm256_add_epi32(order, _mm256_set1_epi32(by)); };  // modulo 8
+  x.v[0].raw = _mm256_permutevar8x32_ps(_mm256_blend_ps(_mm256_blend_ps(a, b, k147), c, k25), order);
+  y.v[0].raw = _mm256_permutevar8x32_ps(_mm256_blend_ps(_mm256_blend_ps(a, b, k25), c, k036), turned(1));
+  z.v[0].raw = _mm256_permutevar8x32_ps(_mm256_blend_ps(_mm256_blend_ps(a, b, k036), c, k147), turned(2));
+}
+#else
+HWY_INLINE void load_positions(const PhotonPosition* from, FloatPacket& x, FloatPacket& y, FloatPacket& z) {
+  constexpr int kVectors = FloatPacket::kVectors;
+  const float* const p = from->data();
+  VERISIM_EACH_VECTOR hn::LoadInterleaved3(FloatPacket::D(), p + 3 * i * FloatPacket::kLanes, x.v[i], y.v[i], z.v[i]);
+}
+#endif
+
+HWY_INLINE FloatPacket overhang_of(const PhotonOverhangs& overhangs, const Words& photons) {
+  static_assert(std::endian::native == std::endian::little);
+  constexpr int kVectors = Words::kVectors;
+  const auto* const levels = reinterpret_cast<const std::uint32_t*>(overhangs.levels.data());
+  const hn::RebindToSigned<Words::D> places;
+  Words level;
+  VERISIM_EACH_VECTOR level.v[i] = hn::GatherOffset(Words::D(), levels, hn::BitCast(places, photons.v[i]));
+  level = level & Words(0xffu);
+  FloatPacket over;
+  const Words bits = shift_left<PhotonOverhangs::kShift>(level + Words(overhangs.base));
+  VERISIM_EACH_VECTOR over.v[i] = hn::BitCast(FloatPacket::D(), bits.v[i]);
+  return select(level == Words(0u), FloatPacket(-kInfiniteFloat), over);
+}
 
 // Bit i: box i of eight is nearer to the point than the square root of `squared`, or as near.
 HWY_INLINE unsigned near_boxes(const PhotonBoxes& boxes, std::size_t first, const std::array<float, 3>& point,
@@ -347,24 +393,22 @@ class Collector {
     const FloatPacket tilt_x(point_.normal[0]), tilt_y(point_.normal[1]), tilt_z(point_.normal[2]);  // times 16
     const Words numbers = Words::load(kNumbers);
     // Not asked for again after each store.
-    const auto* const all_leaves = tree_.leaves().data();
-    const auto* const firsts = tree_.firsts().data();
-    float *const to_x = x_, *const to_y = y_, *const to_z = z_;
+    const PhotonPosition* const positions = query_.measure.positions;
+    const std::uint32_t* const firsts = tree_.firsts().data();
     std::uint32_t* const to_index = index_;
     FloatPacket near(reach());
     std::size_t n = count_, enough = wait_;
     for (const std::uint32_t number : leaves) {
-      const PhotonLeaf& leaf = all_leaves[number];
       const std::uint32_t first = firsts[number];
+      const unsigned here = (1u << (firsts[number + 1] - first)) - 1;  // behind them are those of the next leaf
       _Pragma("GCC unroll 2") for (std::size_t i = 0; i < kAtOnce; i += kEight) {
-        const FloatPacket px = FloatPacket::load(leaf.x.data() + i), py = FloatPacket::load(leaf.y.data() + i),
-                          pz = FloatPacket::load(leaf.z.data() + i);
+        FloatPacket px, py, pz;
+        load_positions(positions + first + i, px, py, pz);
         const FloatPacket dx = px - x, dy = py - y, dz = pz - z;
         FloatPacket squared = dx * dx + dy * dy + dz * dz;
         if (flat) squared = squared * (FloatPacket(1.0f) + abs(tilt_x * dx + tilt_y * dy + tilt_z * dz));
-        const unsigned which = bits(squared <= near);
-        pack(which, px, to_x + n), pack(which, py, to_y + n), pack(which, pz, to_z + n),
-            pack(which, numbers + Words(first + static_cast<std::uint32_t>(i)), to_index + n);
+        const unsigned which = bits(squared <= near) & here >> i;
+        pack(which, numbers + Words(first + static_cast<std::uint32_t>(i)), to_index + n);
         n += static_cast<std::size_t>(std::popcount(which));
       }
       if (n < enough) continue;
@@ -385,24 +429,29 @@ class Collector {
 
   // Candidates become photons that are found, if they are within the limit and not hidden.
   void measure() {
-    for (float* coordinate : {x_, y_, z_}) store(coordinate + count_, FloatPacket(kInfiniteFloat));
+    store(index_ + count_, Words(0u));
     std::size_t n = found_.size();
     found_.make_room(n + count_);
     float* const squared = found_.squared_data();
     std::uint32_t* const index = found_.index_data();
     const Vec3 &c = center_.point, &normal = center_.normal;
     const Packet cx(c.x), cy(c.y), cz(c.z), nx(normal.x), ny(normal.y), nz(normal.z), limits(limit_);
+    const float* const coordinates = query_.measure.positions->data();
     for (std::size_t i = 0; i < count_; i += kEight) {
-      const Packet dx = to_doubles(x_ + i) - cx, dy = to_doubles(y_ + i) - cy, dz = to_doubles(z_ + i) - cz;
+      const Words here = Words::load(index_ + i), at = here + shift_left<1>(here);
+      alignas(64) float position[3][kEight];
+      for (std::size_t a = 0; a < 3; ++a) store(position[a], gather(coordinates + a, at));
+      const Packet dx = to_doubles(position[0]) - cx, dy = to_doubles(position[1]) - cy,
+                   dz = to_doubles(position[2]) - cz;
       Packet s = dx * dx + dy * dy + dz * dz;
       if (flat) s *= Packet(1.0) + Packet(16.0) * abs(nx * dx + ny * dy + nz * dz);  // else the factor is 1
-      const unsigned which = bits(s < limits);
+      const unsigned which = bits(s < limits) & ((1u << std::min(count_ - i, kEight)) - 1);
       if (flat) s = min(s, Packet(3e38));  // rounded; without a normal none is so far, or it would be no candidate
-      pack(which, to_floats(s), squared + n), pack(which, Words::load(index_ + i), index + n);
+      pack(which, to_floats(s), squared + n), pack(which, here, index + n);
       n += static_cast<std::size_t>(std::popcount(which));
     }
     found_.set_size(n), count_ = 0;
-    if (query_.planes) query_.planes->drop_hidden(c, query_.radius, looked_at_, found_);
+    if (query_.hiding) query_.hiding->planes.drop_hidden(query_.hiding->photons, c, query_.radius, looked_at_, found_);
     looked_at_ = found_.size();
   }
 
@@ -422,11 +471,8 @@ class Collector {
   float near_enough_;
   Collected result_ = Collected::all;
   std::size_t count_ = 0, wait_;
-  std::size_t looked_at_ = 0;  // those from here on may be hidden
-  // Candidates side by side.
-  alignas(64) float x_[kMaxCandidates + 2 * kAtOnce], y_[kMaxCandidates + 2 * kAtOnce],
-      z_[kMaxCandidates + 2 * kAtOnce];
-  std::uint32_t index_[kMaxCandidates + 2 * kAtOnce];
+  std::size_t looked_at_ = 0;                          // those from here on may be hidden
+  std::uint32_t index_[kMaxCandidates + 2 * kAtOnce];  // candidates
 };
 
 Collected collect(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found) {
@@ -434,7 +480,7 @@ Collected collect(const PhotonTree& tree, const PhotonQuery& query, double& limi
                                                   : Collector<true>(tree, query, limit, found).collect();
 }
 
-std::size_t reaching(PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places) {
+std::size_t reaching(PhotonDistances& list, const PhotonOverhangs& overhangs, double radius, std::uint32_t* places) {
   constexpr double kRounding = 1e-6;
   const FloatPacket radii(static_cast<float>(radius * (1.0 - kRounding)));
   std::size_t found = 0;
@@ -442,12 +488,16 @@ std::size_t reaching(PhotonDistances& list, const float* overhang, double radius
   const float* const squared = list.squared().data();
   const std::uint32_t* const index = list.index().data();
   const Words numbers = Words::load(kNumbers);
+  const FloatPacket least = radii - overhangs.largest();
+  const FloatPacket least_squared = least * abs(least);
   for (std::size_t i = 0; i < n; i += kEight) {
     const auto left = static_cast<unsigned>(std::min(n - i, kEight));
+    const FloatPacket distances = FloatPacket::load(squared + i);
+    if (((bits(least_squared <= distances)) & ((1u << left) - 1)) == 0) continue;  // most of them
     const Words here = Words::load(index + i);  // behind the last one stands anything
-    const FloatPacket over = gather(overhang, select(numbers < Words(left), here, Words(0u)));
+    const FloatPacket over = overhang_of(overhangs, select(numbers < Words(left), here, Words(0u)));
     const FloatPacket rest = radii - over;
-    const unsigned which = bits(rest * abs(rest) <= FloatPacket::load(squared + i)) & ((1u << left) - 1);
+    const unsigned which = bits(rest * abs(rest) <= distances) & ((1u << left) - 1);
     pack(which, numbers + Words(static_cast<std::uint32_t>(i)), places + found);
     found += static_cast<std::size_t>(std::popcount(which));
   }

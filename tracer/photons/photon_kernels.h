@@ -6,26 +6,24 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "tracer/photons/photon_distances.h"
 
 namespace verisim::global {
 
 class PhotonTree;
-class WrongPlanes;
+struct PhotonIndex;
 
-// Sixteen photons side by side; those that are left over are infinitely far away.
-struct alignas(64) PhotonLeaf {
-  static constexpr std::size_t kAtOnce = 16;
-  std::array<float, kAtOnce> x, y, z;
-};
+inline constexpr std::size_t kPhotonsAtOnce = 16;
 
 // Sixteen boxes around photons; those that are left over are empty.
 struct alignas(64) PhotonBoxes {
-  std::array<float, PhotonLeaf::kAtOnce> low[3], high[3];
+  std::array<float, kPhotonsAtOnce> low[3], high[3];
 };
 
 inline constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
@@ -35,8 +33,18 @@ struct PhotonQuery {
   std::size_t maximum;   // so many nearest are wanted
   std::size_t too_many;  // more are not
   // Photons that a search within `radius` overlooks in any case are left out; null: there are none so near.
-  const WrongPlanes* planes;
+  const PhotonIndex* hiding;
   double radius;
+};
+
+// By photon: planes that hide it are at most so much farther away than it is from the one who searches.
+struct PhotonOverhangs {
+  // Level and base are the upper bits of a float; 0: no plane hides it. Behind the last level stand three bytes more,
+  // which kernels read.
+  std::vector<std::uint8_t> levels;
+  std::uint32_t base = 0;
+  static constexpr int kShift = 20;
+  float largest() const { return std::bit_cast<float>((base + 255u) << kShift); }
 };
 
 enum class Collected { all, nearest, too_many };
@@ -54,10 +62,11 @@ struct PhotonKernels {
                        PhotonDistances& to);
   // Copies those with squared distances of at most `limit`.
   void (*keep_within)(PhotonDistances& from, const PhotonMeasure& measure, double limit, PhotonDistances& to);
-  // Writes the places in the list of those that are as far as `radius - overhang[index]`, and perhaps of some that are
-  // hardly nearer; returns how many there are. Behind the list stand sixteen numbers, of any size, and there is room
-  // for sixteen places more than it has.
-  std::size_t (*reaching)(PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places);
+  // Writes the places in the list of those that are as far as `radius` without their overhang, and perhaps of some that
+  // are hardly nearer; returns how many there are. Behind the list stand sixteen numbers, of any size, and there is
+  // room for sixteen places more than it has.
+  std::size_t (*reaching)(PhotonDistances& list, const PhotonOverhangs& overhangs, double radius,
+                          std::uint32_t* places);
 };
 
 const PhotonKernels& photon_kernels();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -16,7 +17,7 @@
 namespace verisim::global {
 namespace {
 
-constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
+constexpr std::size_t kAtOnce = kPhotonsAtOnce;
 
 class PhotonKernelsTest : public testing::Test {
  protected:
@@ -28,11 +29,14 @@ class PhotonKernelsTest : public testing::Test {
   }
   double random() { return uniform_(generator_); }
   Vec3 random_vector() { return {random(), random(), random()}; }
-  std::vector<Photon> random_photons(std::size_t n) {
-    std::vector<Photon> photons(n);
-    for (Photon& p : photons) {
-      for (float& x : p.position) x = static_cast<float>(random());
+  PhotonList random_photons(std::size_t n) {
+    PhotonList photons;
+    for (std::size_t i = 0; i < n; ++i) {
+      PhotonPosition at;
+      for (float& x : at) x = static_cast<float>(random());
+      photons.add(at, {});
     }
+    photons.fit();
     sort_photons(photons);
     return photons;
   }
@@ -41,8 +45,8 @@ class PhotonKernelsTest : public testing::Test {
   std::uniform_real_distribution<double> uniform_{-1, 1};
 };
 
-double flattened(const Photon& photon, const PhotonCenter& center) {
-  const Vec3 d = Vec3(photon.position[0], photon.position[1], photon.position[2]) - center.point;
+double flattened(const PhotonPosition& photon, const PhotonCenter& center) {
+  const Vec3 d = Vec3(photon[0], photon[1], photon[2]) - center.point;
   return dot(d, d) * (1.0 + 16.0 * std::fabs(dot(center.normal, d)));
 }
 
@@ -73,62 +77,63 @@ TEST_F(PhotonKernelsTest, BoxesAreAsNearAsThePlainFormulasSay) {
 TEST_F(PhotonKernelsTest, CollectFindsAllWithinALimitInTheOrderOfTheMap) {
   // As many as make trees of one to four levels of nodes, with leaves that are full and others.
   for (const std::size_t count : {1u, 15u, 16u, 17u, 255u, 256u, 257u, 4096u, 5000u, 70000u}) {
-    const std::vector<Photon> photons = random_photons(count);
+    const PhotonList photons = random_photons(count);
     PhotonTree tree;
-    tree.build(photons);
+    tree.build(photons.positions);
     for_each_instruction_set([&](const PhotonKernels& kernels) {
       PhotonDistances found;
       for (int run = 0; run < 30; ++run) {
         const PhotonCenter center{random_vector(), run % 2 == 0 ? Vec3(0.0) : normalize(random_vector())};
         double limit = 0.5 * (1.01 + random());
         const double asked = limit;
-        ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, kAnyNumber, kAnyNumber, nullptr, 0.0}, limit, found),
+        ASSERT_EQ(kernels.collect(tree, {{photons.positions.data(), center}, kAnyNumber, kAnyNumber, nullptr, 0.0},
+                                  limit, found),
                   Collected::all);
         EXPECT_EQ(limit, asked);
         std::vector<std::uint32_t> expected;
         for (std::uint32_t i = 0; i < count; ++i) {
-          if (flattened(photons[i], center) < limit) expected.push_back(i);
+          if (flattened(photons.positions[i], center) < limit) expected.push_back(i);
         }
         ASSERT_TRUE(std::ranges::equal(found.index(), expected)) << count << ' ' << run;
         for (std::size_t k = 0; k < found.size(); ++k)
-          EXPECT_EQ(found.squared()[k], static_cast<float>(flattened(photons[found.index()[k]], center)));
+          EXPECT_EQ(found.squared()[k], static_cast<float>(flattened(photons.positions[found.index()[k]], center)));
       }
     });
   }
 }
 
 TEST_F(PhotonKernelsTest, CollectNarrowsACrowdToItsNearest) {
-  const std::vector<Photon> photons = random_photons(3000);
+  const PhotonList photons = random_photons(3000);
   PhotonTree tree;
-  tree.build(photons);
+  tree.build(photons.positions);
   for_each_instruction_set([&](const PhotonKernels& kernels) {
     PhotonDistances found, all;
     for (int run = 0; run < 30; ++run) {
       const PhotonCenter center{random_vector(), Vec3(0.0)};
       double limit = 1.0, any = 1.0;
-      ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, kAnyNumber, nullptr, 0.0}, limit, found),
+      ASSERT_EQ(kernels.collect(tree, {{photons.positions.data(), center}, 40, kAnyNumber, nullptr, 0.0}, limit, found),
                 Collected::nearest);
       EXPECT_LT(limit, 1.0);
-      kernels.collect(tree, {{photons.data(), center}, kAnyNumber, kAnyNumber, nullptr, 0.0}, any, all);
-      kernels.keep_within(all, {photons.data(), center}, limit, all);
+      kernels.collect(tree, {{photons.positions.data(), center}, kAnyNumber, kAnyNumber, nullptr, 0.0}, any, all);
+      kernels.keep_within(all, {photons.positions.data(), center}, limit, all);
       EXPECT_TRUE(std::ranges::includes(found.index(), all.index()));
       EXPECT_GE(found.size(), 40u);
       double too_far = 1.0;
-      EXPECT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, 30, nullptr, 0.0}, too_far, found),
+      EXPECT_EQ(kernels.collect(tree, {{photons.positions.data(), center}, 40, 30, nullptr, 0.0}, too_far, found),
                 Collected::too_many);
     }
   });
 }
 
 // Some lists with many photons that are equally far, some with many that differ less than floats can tell.
-std::vector<Photon> photons_of(std::size_t size, int kind, const std::function<double()>& random) {
-  std::vector<Photon> photons(size);
-  for (Photon& p : photons) {
+std::vector<PhotonPosition> photons_of(std::size_t size, int kind, const std::function<double()>& random) {
+  std::vector<PhotonPosition> photons(size);
+  for (PhotonPosition& p : photons) {
     const double x = kind == 0   ? std::round(4 * random())
                      : kind == 1 ? 1.0
                                  : random(),
                  y = kind == 1 ? 2e-4 * random() : 0.0;
-    p.position = {static_cast<float>(x), static_cast<float>(y), 0.0f};
+    p = {static_cast<float>(x), static_cast<float>(y), 0.0f};
   }
   return photons;
 }
@@ -138,7 +143,7 @@ TEST_F(PhotonKernelsTest, TheNearestAreKeptInTheirOrder) {
     PhotonDistances list, kept;
     for (std::size_t run = 0; run < 400; ++run) {
       const std::size_t size = 2 + run;
-      const std::vector<Photon> photons = photons_of(size, static_cast<int>(run % 4), [&] { return random(); });
+      const std::vector<PhotonPosition> photons = photons_of(size, static_cast<int>(run % 4), [&] { return random(); });
       const PhotonMeasure measure{photons.data(), {Vec3(0.0), Vec3(0.0)}};
       list.clear();
       std::vector<std::pair<double, std::uint32_t>> expected;
@@ -166,7 +171,8 @@ TEST_F(PhotonKernelsTest, ThoseWithinALimitAreKept) {
   for_each_instruction_set([&](const PhotonKernels& kernels) {
     PhotonDistances list, kept;
     for (std::size_t run = 0; run < 100; ++run) {
-      const std::vector<Photon> photons = photons_of(2 + run, static_cast<int>(run % 4), [&] { return random(); });
+      const std::vector<PhotonPosition> photons =
+          photons_of(2 + run, static_cast<int>(run % 4), [&] { return random(); });
       const PhotonMeasure measure{photons.data(), {Vec3(0.0), Vec3(0.0)}};
       list.clear();
       for (std::uint32_t i = 0; i < photons.size(); ++i) list.add(i, measure.squared(i));
@@ -183,13 +189,13 @@ TEST_F(PhotonKernelsTest, ThoseWithinALimitAreKept) {
 
 // Too far for floats.
 TEST_F(PhotonKernelsTest, HugeDistancesAreCompared) {
-  std::vector<Photon> photons = random_photons(300);
-  for (Photon& p : photons) {
-    for (float& x : p.position) x *= 1e18f;
+  PhotonList photons = random_photons(300);
+  for (PhotonPosition& p : photons.positions) {
+    for (float& x : p) x *= 1e18f;
   }
   PhotonTree tree;
-  tree.build(photons);
-  const PhotonMeasure measure{photons.data(), {Vec3(1e17, 0, 0), Vec3(0, 1, 0)}};
+  tree.build(photons.positions);
+  const PhotonMeasure measure{photons.positions.data(), {Vec3(1e17, 0, 0), Vec3(0, 1, 0)}};
   std::vector<std::pair<double, std::uint32_t>> expected;
   for (std::uint32_t i = 0; i < photons.size(); ++i) expected.emplace_back(measure.squared(i), i);
   std::ranges::sort(expected);
@@ -206,18 +212,20 @@ TEST_F(PhotonKernelsTest, HugeDistancesAreCompared) {
 }
 
 TEST_F(PhotonKernelsTest, ReachingFindsThoseThatComeNearToARadius) {
-  std::vector<float> overhang(60);
-  for (std::size_t i = 0; i < overhang.size(); ++i)
-    overhang[i] = i % 3 == 0 ? -std::numeric_limits<float>::infinity() : static_cast<float>(1 + random());
+  constexpr std::size_t kCount = 60;
+  PhotonOverhangs overhangs{std::vector<std::uint8_t>(kCount + 3, 0), (127u << 3) - 20};  // 2 to the -2.5 and more
+  for (std::size_t i = 0; i < kCount; ++i)
+    overhangs.levels[i] = i % 3 == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(20 + 8 * random());
   for_each_instruction_set([&](const PhotonKernels& kernels) {
     PhotonDistances list;
-    for (std::uint32_t i = 0; i < overhang.size(); i += 1 + i % 2) list.add(i, 1 + random());
+    for (std::uint32_t i = 0; i < kCount; i += 1 + i % 2) list.add(i, 1 + random());
     std::array<std::uint32_t, 100> places;
-    const std::size_t count = kernels.reaching(list, overhang.data(), 1.3, places.data());
+    const std::size_t count = kernels.reaching(list, overhangs, 1.3, places.data());
     std::vector<std::uint32_t> expected;
     for (std::uint32_t k = 0; k < list.size(); ++k) {
-      const double rest = 1.3 - overhang[list.index()[k]];
-      if (rest <= 0.0 || list.squared()[k] >= rest * rest * (1 - 1e-5)) expected.push_back(k);
+      const std::uint32_t level = overhangs.levels[list.index()[k]];
+      const double rest = 1.3 - std::bit_cast<float>((overhangs.base + level) << PhotonOverhangs::kShift);
+      if (level > 0 && (rest <= 0.0 || list.squared()[k] >= rest * rest * (1 - 1e-5))) expected.push_back(k);
     }
     EXPECT_FALSE(expected.empty());
     EXPECT_LT(expected.size(), list.size());

@@ -14,13 +14,13 @@
 namespace verisim::global {
 namespace {
 
-Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }
+Vec3 vector(const PhotonPosition& p) { return {p[0], p[1], p[2]}; }
 
 }  // namespace
 
 void PhotonMap::build() {
-  index_.photons.shrink_to_fit();
-  sort_photons({index_.photons.data(), index_.photons.size()});
+  index_.photons.fit();
+  sort_photons(index_.photons);
   build_sorted();
 }
 
@@ -28,7 +28,7 @@ void PhotonMap::build_sorted() { index_.build(); }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
   find({point, normal ? *normal : Vec3(0.0)}, settings, out);
-  out.photons = {index_.photons, out.numbers};
+  out.photons = {photons(), out.numbers};
 }
 
 void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const {
@@ -61,9 +61,9 @@ void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings,
 double PhotonMap::typical_radius(int count) const {
   double extent = 0.0;
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto less = [a](const Photon& l, const Photon& r) { return l.position[a] < r.position[a]; };
-    const auto [low, high] = std::minmax_element(photons().begin(), photons().end(), less);
-    extent = std::max(extent, static_cast<double>(high->position[a]) - low->position[a]);
+    const auto less = [a](const PhotonPosition& l, const PhotonPosition& r) { return l[a] < r[a]; };
+    const auto [low, high] = std::minmax_element(positions().begin(), positions().end(), less);
+    extent = std::max(extent, static_cast<double>((*high)[a]) - (*low)[a]);
   }
   return extent * std::sqrt(count / static_cast<double>(photons().size()));
 }
@@ -79,8 +79,8 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   const double typical = typical_radius(gather_max);
   double enough = 0.0, density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
-    const Photon& p = photons()[random() % size()];
-    enough = search.nearest(index_, {position(p), Vec3(0.0)}, 1e7, gather_max, kAnyNumber,
+    const PhotonPosition& p = positions()[random() % size()];
+    enough = search.nearest(index_, {vector(p), Vec3(0.0)}, 1e7, gather_max, kAnyNumber,
                             enough > 0.0 ? 1.06 * enough : typical, found);
     density += static_cast<double>(found.size()) / volume(enough);
   }
@@ -89,8 +89,8 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
       media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
-    const Photon& p = photons()[random() % size()];
-    enough = search.nearest(index_, {position(p), Vec3(0.0)}, ideal, gather_max, kAnyNumber, 1.06 * enough, found);
+    const PhotonPosition& p = positions()[random() % size()];
+    enough = search.nearest(index_, {vector(p), Vec3(0.0)}, ideal, gather_max, kAnyNumber, 1.06 * enough, found);
     const double d = static_cast<double>(found.size()) / volume(enough);
     if (d > 0.05 * density && d < 0.70 * density) ++sparse;
   }
@@ -104,9 +104,10 @@ constexpr std::size_t kRecord = 20;
 void write_map(std::FILE* file, const PhotonMap& map) {
   const auto count = static_cast<std::int32_t>(map.size());
   std::fwrite(&count, sizeof count, 1, file);
-  for (const Photon& p : map.photons()) {
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const Photon& p = map.photons()[i];
     std::array<char, kRecord> record{};
-    std::copy_n(reinterpret_cast<const char*>(p.position.data()), 12, record.begin());
+    std::copy_n(reinterpret_cast<const char*>(map.positions()[i].data()), 12, record.begin());
     std::copy_n(reinterpret_cast<const char*>(p.energy.data()), 4, record.begin() + 12);
     record[16] = static_cast<char>(p.axis), record[17] = static_cast<char>(p.elevation),
     record[18] = static_cast<char>(p.azimuth);
@@ -123,15 +124,15 @@ void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
   for (std::int32_t i = 0; i < count; ++i) {
     std::array<char, kRecord> record;
     if (!file.read(record.data(), record.size())) throw std::runtime_error("photon file is truncated");
+    PhotonPosition position;
     Photon p;
-    std::copy_n(record.begin(), 12, reinterpret_cast<char*>(p.position.data()));
+    std::copy_n(record.begin(), 12, reinterpret_cast<char*>(position.data()));
     std::copy_n(record.begin() + 12, 4, reinterpret_cast<char*>(p.energy.data()));
     p.axis = static_cast<std::uint8_t>(record[16]);
     if (p.axis > 2) throw std::runtime_error("photon file is corrupt");
     p.elevation = static_cast<std::int8_t>(record[17]), p.azimuth = static_cast<std::int8_t>(record[18]);
-    if (!std::isfinite(p.position[0] + p.position[1] + p.position[2]))
-      throw std::runtime_error("photon file is corrupt");
-    map.add(p);
+    if (!std::isfinite(position[0] + position[1] + position[2])) throw std::runtime_error("photon file is corrupt");
+    map.add(position, p);
   }
 }
 

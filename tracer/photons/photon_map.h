@@ -12,11 +12,12 @@ namespace verisim::global {
 
 class PhotonMap {
  public:
-  void add(const Photon& photon) { index_.photons.push_back(photon); }
-  void append(const PhotonMap& other) { index_.photons.append(other.photons()); }
+  void add(const PhotonPosition& position, const Photon& photon) { index_.photons.add(position, photon); }
+  void append(const PhotonMap& other) { index_.photons.append(other.list()); }
   std::size_t size() const { return index_.photons.size(); }
   bool empty() const { return index_.photons.empty(); }
-  std::span<const Photon> photons() const { return index_.photons; }
+  std::span<const Photon> photons() const { return list().photons; }
+  std::span<const PhotonPosition> positions() const { return list().positions; }
   void reserve(std::size_t count) { index_.photons.reserve(count); }
 
   // Sorts the photons into a balanced tree (node of [a,b] at (a+b)/2). Call once, before any search.
@@ -46,6 +47,7 @@ class PhotonMap {
   void gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const;
 
  private:
+  const PhotonList& list() const { return index_.photons; }
   double typical_radius(int count) const;
   void find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const;
 

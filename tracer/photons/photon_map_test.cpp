@@ -7,17 +7,19 @@
 namespace verisim::global {
 namespace {
 
-Photon photon(const Vec3& p, const Rgb& energy) {
+Photon photon(const Rgb& energy) {
   Photon result;
-  result.position = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   result.energy = Photon::encode(energy);
   result.set_direction(normalize(Vec3(1, 2, -1)));
   return result;
 }
+void add(PhotonMap& map, const Vec3& p, const Rgb& energy) {
+  map.add({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}, photon(energy));
+}
 
 TEST(Photon, EncodesAsTheMapFileOfProbeH1) {
   // Spec 07 P-H1: energy bytes 144 72 36 245; the ratios 1.2 : 0.6 : 0.3 of that light.
-  const Photon p = photon({0, 0, 0}, {144.5f / 8192, 72.25f / 8192, 36.1f / 8192});
+  const Photon p = photon({144.5f / 8192, 72.25f / 8192, 36.1f / 8192});
   EXPECT_EQ(p.energy, (std::array<std::uint8_t, 4>{144, 72, 36, 245}));
   EXPECT_FLOAT_EQ(p.color().r, 144.0f / 8192);
 }
@@ -33,12 +35,6 @@ TEST(Photon, KeepsItsDirectionWithinTheByteResolution) {
   }
 }
 
-std::vector<const Photon*> pointers(const PhotonMap::Gathered& found) {
-  std::vector<const Photon*> result;
-  for (std::size_t i = 0; i < found.photons.size(); ++i) result.push_back(&found.photons[i]);
-  return result;
-}
-
 // POV-Ray's search as its pictures show it, without any haste.
 struct PlainSearch {
   const PhotonMap& map;
@@ -46,29 +42,33 @@ struct PlainSearch {
   const Vec3* normal;
   std::size_t maximum;
   double limit;
-  std::vector<std::pair<double, const Photon*>> found{};
+  std::vector<std::pair<double, std::uint32_t>> found{};
 
   void walk(std::ptrdiff_t first, std::ptrdiff_t last) {
     if (first > last) return;
     const std::ptrdiff_t middle = (first + last) / 2;
-    const Photon& node = map.photons()[static_cast<std::size_t>(middle)];
+    const auto node = static_cast<std::uint32_t>(middle);
     test(node);
-    const double d = x[node.axis] - node.position[node.axis];
+    const std::uint8_t axis = map.photons()[node].axis;
+    const double d = x[axis] - map.positions()[node][axis];
     d < 0 ? walk(first, middle - 1) : walk(middle + 1, last);
     if (d * d < limit) d < 0 ? walk(middle + 1, last) : walk(first, middle - 1);
   }
-  void test(const Photon& p) {
-    const Vec3 d = Vec3(p.position[0], p.position[1], p.position[2]) - x;
-    const double squared = dot(d, d) * (normal ? 1 + 16 * std::fabs(dot(*normal, d)) : 1);
+  double squared_distance(const PhotonPosition& p) const {
+    const Vec3 d = Vec3(p[0], p[1], p[2]) - x;
+    return dot(d, d) * (normal ? 1 + 16 * std::fabs(dot(*normal, d)) : 1);
+  }
+  void test(std::uint32_t number) {
+    const double squared = squared_distance(map.positions()[number]);
     if (squared >= limit) return;
     const bool full = found.size() == maximum;
     if (full) found.erase(std::max_element(found.begin(), found.end()));
-    found.emplace_back(squared, &p);
+    found.emplace_back(squared, number);
     if (full) limit = std::max_element(found.begin(), found.end())->first;
   }
-  std::vector<const Photon*> photons() {
+  std::vector<std::uint32_t> photons() {
     walk(0, static_cast<std::ptrdiff_t>(map.size()) - 1);
-    std::vector<const Photon*> result;
+    std::vector<std::uint32_t> result;
     for (const auto& f : found) result.push_back(f.second);
     std::sort(result.begin(), result.end());
     return result;
@@ -82,8 +82,8 @@ TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
   std::uniform_real_distribution<double> u(-1, 1);
   std::normal_distribution<double> spot(0.0, 0.08);
   PhotonMap map;
-  for (int i = 0; i < 4000; ++i) map.add(photon({u(generator), 0.3 * u(generator), u(generator)}, Rgb(1.0f)));
-  for (int i = 0; i < 8000; ++i) map.add(photon({0.3 + spot(generator), spot(generator), spot(generator)}, Rgb(1.0f)));
+  for (int i = 0; i < 4000; ++i) add(map, {u(generator), 0.3 * u(generator), u(generator)}, Rgb(1.0f));
+  for (int i = 0; i < 8000; ++i) add(map, {0.3 + spot(generator), spot(generator), spot(generator)}, Rgb(1.0f));
   map.build();
   CLibraryRandom random;
   map.set_gather_radius(0.3, 1, 60, false, random);
@@ -95,15 +95,14 @@ TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
       const Vec3 x(-0.2 + 0.04 * column, 0.01, -0.4 + 0.04 * batch);
       for (const Vec3* normal : {&up, static_cast<const Vec3*>(nullptr)}) {
         PlainSearch plain{map, x, normal, 60, 0.3 * 0.3};
-        const std::vector<const Photon*> expected = plain.photons();
+        const std::vector<std::uint32_t> expected = plain.photons();
         PhotonMap::Gathered& found = normal ? flat : solid;
         map.gather(x, normal, {.minimum = 0, .maximum = 60}, found);
         ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << batch << ' ' << column;
-        ASSERT_EQ(pointers(found), expected) << batch << ' ' << column;
-        for (const Photon& p : map.photons()) {
-          const Vec3 d = Vec3(p.position[0], p.position[1], p.position[2]) - x;
-          const double squared = dot(d, d) * (normal ? 1 + 16 * std::fabs(dot(*normal, d)) : 1);
-          overlooked += squared < plain.limit && !std::binary_search(expected.begin(), expected.end(), &p);
+        ASSERT_EQ(found.numbers, expected) << batch << ' ' << column;
+        for (std::uint32_t i = 0; i < map.size(); ++i) {
+          const bool near = plain.squared_distance(map.positions()[i]) < plain.limit;
+          overlooked += near && !std::binary_search(expected.begin(), expected.end(), i);
         }
       }
     }
@@ -119,7 +118,7 @@ TEST(PhotonMap, FindsTheSameAsAPlainWalkWhereFewAreTooMany) {
   int farther_kept = 0;  // or a nearer one overlooked
   for (const int count : {12, 40, 700}) {
     PhotonMap map;
-    for (int i = 0; i < count; ++i) map.add(photon({u(generator), u(generator), u(generator)}, Rgb(1.0f)));
+    for (int i = 0; i < count; ++i) add(map, {u(generator), u(generator), u(generator)}, Rgb(1.0f));
     map.build();
     CLibraryRandom random;
     const double radius = std::cbrt(8.0 / count * 12 / 4.2);  // about twelve
@@ -128,15 +127,12 @@ TEST(PhotonMap, FindsTheSameAsAPlainWalkWhereFewAreTooMany) {
     for (int run = 0; run < 2000; ++run) {
       const Vec3 x(u(generator), u(generator), u(generator));
       PlainSearch plain{map, x, nullptr, 10, radius * radius};
-      const std::vector<const Photon*> expected = plain.photons();
+      const std::vector<std::uint32_t> expected = plain.photons();
       map.gather(x, nullptr, {.minimum = 0, .maximum = 10}, found);
       ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << count << ' ' << run;
-      ASSERT_EQ(pointers(found), expected) << count << ' ' << run;
+      ASSERT_EQ(found.numbers, expected) << count << ' ' << run;
       std::size_t nearer = 0;
-      for (const Photon& p : map.photons()) {
-        const Vec3 d = Vec3(p.position[0], p.position[1], p.position[2]) - x;
-        nearer += dot(d, d) < plain.limit;
-      }
+      for (const PhotonPosition& p : map.positions()) nearer += plain.squared_distance(p) < plain.limit;
       farther_kept += expected.size() == 10 && nearer > 10;
     }
   }
@@ -160,10 +156,10 @@ TEST(PhotonMap, KeepsPhotonsInPovRaysOrder) {
   };
   for (const auto& [shot, kept] : cases) {
     PhotonMap map;
-    for (int x : shot) map.add(photon({1.0 * x, 0, 0}, Rgb(1.0f)));
+    for (int x : shot) add(map, {1.0 * x, 0, 0}, Rgb(1.0f));
     map.build();
     for (std::size_t i = 0; i < kept.size(); ++i)
-      EXPECT_EQ(map.photons()[i].position[0], static_cast<float>(kept[i])) << shot.size() << ' ' << i;
+      EXPECT_EQ(map.positions()[i][0], static_cast<float>(kept[i])) << shot.size() << ' ' << i;
   }
 }
 
@@ -174,7 +170,7 @@ TEST(CLibraryRandom, DrawsWhatTheCLibraryDraws) {
 
 TEST(PhotonMap, WidensTheSearchOnceWhereFewAreFound) {
   PhotonMap map;
-  for (int i = 0; i < 10; ++i) map.add(photon({0.25 + 0.001 * i, 0, 0}, Rgb(1.0f)));
+  for (int i = 0; i < 10; ++i) add(map, {0.25 + 0.001 * i, 0, 0}, Rgb(1.0f));
   map.build();
   CLibraryRandom random;
   map.set_gather_radius(0.1, 1, 100, false, random);
@@ -188,8 +184,8 @@ TEST(PhotonMap, WidensTheSearchOnceWhereFewAreFound) {
 TEST(PhotonMap, SurvivesItsFileAndRefusesABrokenOne) {
   const auto path = std::filesystem::temp_directory_path() / "verisim_photon_map_test.ph";
   PhotonMap surface, media, surface2, media2;
-  for (int i = 0; i < 5; ++i) surface.add(photon({1.0 * i, 2, 3}, {1, 0.5f, 0.25f}));
-  media.add(photon({4, 5, 6}, Rgb(0.1f)));
+  for (int i = 0; i < 5; ++i) add(surface, {1.0 * i, 2, 3}, {1, 0.5f, 0.25f});
+  add(media, {4, 5, 6}, Rgb(0.1f));
   save_photons(path, surface, media);
   EXPECT_EQ(std::filesystem::file_size(path), 4u + 5 * 20 + 4 + 20);
   load_photons(path, surface2, media2);

@@ -19,12 +19,12 @@
 namespace verisim::global {
 
 // The node of a range [a, b] at (a + b) / 2, with its axis.
-void sort_photons(std::span<Photon> photons);
+void sort_photons(PhotonList& photons);
 
 // The planes on whose wrong side photons lie.
 class WrongPlanes {
  public:
-  void build(std::span<const Photon> sorted);
+  void build(const PhotonList& sorted);
   // Whether there are any that can hide photons within a distance from the point of a search that looks at all planes
   // nearer than `radius`.
   bool hide(double distance, double radius) const {
@@ -32,38 +32,38 @@ class WrongPlanes {
   }
   // Removes photons from number `from` of the list on that a search around p for photons nearer than `radius` does not
   // come upon.
-  void drop_hidden(const Vec3& p, double radius, std::size_t from, PhotonDistances& list) const;
-  // For each photon: planes that hide it are at most so much farther away than it is from the one who searches;
-  // -infinity: none does.
-  const float* overhang() const { return overhang_.data(); }
+  void drop_hidden(const PhotonList& sorted, const Vec3& p, double radius, std::size_t from,
+                   PhotonDistances& list) const;
+  const PhotonOverhangs& overhangs() const { return overhangs_; }
   static constexpr double kRounding = 1e-9;  // of distances
 
   // Calls visit(node, squared distance of its plane) for the planes that hide photon i from such a search, as long as
   // visit returns true; then returns that.
   template <class Visit>
-  bool for_each_hiding(std::size_t i, const Vec3& p, double squared, Visit&& visit) const {
+  bool for_each_hiding(const PhotonList& sorted, std::size_t i, const Vec3& p, double squared, Visit&& visit) const {
     std::size_t k = first_[i / kBlock];
     while (k < planes_.size() && planes_[k].photon < i) ++k;
     for (; k < planes_.size() && planes_[k].photon == i; ++k) {
-      const Plane& plane = planes_[k];
-      const double d = p[plane.axis] - plane.at;
-      if ((d < 0.0) == plane.from_below && d * d >= squared && !visit(plane.node, d * d)) return false;
+      const std::uint32_t node = planes_[k].node;
+      const std::uint8_t axis = sorted.photons[node].axis;
+      const double d = p[axis] - sorted.positions[node][axis];
+      // Behind the node are the photons above its plane, for those who search from below.
+      if ((d < 0.0) == (i > node) && d * d >= squared && !visit(node, d * d)) return false;
     }
     return true;
   }
 
  private:
+  // That of a node, where it hides a photon on its wrong side.
   struct Plane {
-    std::uint32_t photon;  // which it hides
-    float at;
-    std::uint32_t node;
-    std::uint8_t axis;
-    bool from_below;  // overlooked from there, not from above
+    std::uint32_t photon, node;
   };
-  std::vector<float> overhang_;
+  void note_overhangs(const PhotonList& sorted);
+
+  PhotonOverhangs overhangs_;
   double largest_overhang_ = 0;
   static constexpr std::size_t kBlock = 16;
-  std::vector<Plane> planes_;         // by photons; few photons have any
+  ReallocVector<Plane> planes_;       // by photons, of each from the root on; few photons have any
   std::vector<std::uint32_t> first_;  // where those of a block of photons begin
 };
 
@@ -86,7 +86,7 @@ struct VisitedBefore {
   bool after_another = false;  // a photon for which `is_other` comes before the last one counted; not all are looked at
 };
 template <class IsOther>
-VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node,
+VisitedBefore visited_before(const PhotonList& sorted, const Vec3& p, std::uint32_t node,
                              std::span<const std::uint32_t> photons, IsOther&& is_other) {
   // `inside`: those of the photons that are in the range of a node, which gets smaller.
   std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
@@ -100,8 +100,8 @@ VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std:
     const std::uint32_t middle = (first + last) / 2;
     const std::uint32_t* const above = first_from(inside, inside_end, middle);
     const std::uint32_t* const beyond = above + (above != inside_end && *above == middle);
-    const Photon& photon = sorted[middle];
-    const bool near_below = p[photon.axis] - photon.position[photon.axis] < 0.0;
+    const std::uint8_t axis = sorted.photons[middle].axis;
+    const bool near_below = p[axis] - sorted.positions[middle][axis] < 0.0;
     add(beyond - above);
     another = another || is_other(middle);
     if (node == middle || (node < middle) != near_below) add(near_below ? above - inside : inside_end - beyond);
@@ -118,7 +118,7 @@ VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std:
 // Calls visit(index) for photons in the order of POV-Ray's search: a node, then the side of its plane where p lies,
 // then the other if it is nearer than the square root of `limit`, which visit may lower.
 template <class Visit>
-void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double& limit, Visit&& visit) {
+void visit_in_order(const PhotonList& sorted, const Vec3& p, const double& limit, Visit&& visit) {
   struct Part {
     std::uint32_t first, end;
     double squared;  // how far behind a plane
@@ -131,8 +131,8 @@ void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double&
     if (part.first == part.end || !(part.squared < limit)) continue;
     const std::uint32_t middle = part.first + (part.end - part.first - 1) / 2;
     visit(middle);
-    const Photon& node = sorted[middle];
-    const double d = p[node.axis] - node.position[node.axis];
+    const std::uint8_t axis = sorted.photons[middle].axis;
+    const double d = p[axis] - sorted.positions[middle][axis];
     const Part below{part.first, middle, d < 0.0 ? -1.0 : d * d}, above{middle + 1, part.end, d < 0.0 ? d * d : -1.0};
     stack[depth++] = d < 0.0 ? above : below;
     stack[depth++] = d < 0.0 ? below : above;

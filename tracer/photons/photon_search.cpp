@@ -11,7 +11,7 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
                              std::size_t too_many, double guess, std::vector<std::uint32_t>& out) {
   out.clear();
   if (index.photons.empty() || maximum <= 0 || !(0.3 * radius > 0.0)) return radius;
-  index_ = &index, measure_ = {index.photons.data(), center}, radius_ = radius,
+  index_ = &index, measure_ = {index.photons.positions.data(), center}, radius_ = radius,
   maximum_ = static_cast<std::size_t>(maximum);
   // If the guess holds more than `maximum`, the nearest are among them, whatever the radius. If not, how many it holds
   // says how much more it takes.
@@ -40,7 +40,7 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
 Collected PhotonSearch::collect(double within, std::size_t most, std::size_t too_many) {
   limit_ = within * within;
   const WrongPlanes& planes = index_->planes;
-  const PhotonQuery query{measure_, most, too_many, planes.hide(within, radius_) ? &planes : nullptr, radius_};
+  const PhotonQuery query{measure_, most, too_many, planes.hide(within, radius_) ? index_ : nullptr, radius_};
   return kernels_.collect(index_->tree, query, limit_, found_);
 }
 
@@ -99,16 +99,17 @@ bool PhotonSearch::another_was_early() {
 // Doubts about photons that are kept and farther away than `judged`, squared: planes that are beyond all that are kept.
 void PhotonSearch::find_doubts(double judged) {
   doubts_.clear();
-  places_.resize(kept_.size() + PhotonLeaf::kAtOnce);
-  const std::size_t count = kernels_.reaching(kept_, index_->planes.overhang(),
+  places_.resize(kept_.size() + kPhotonsAtOnce);
+  const std::size_t count = kernels_.reaching(kept_, index_->planes.overhangs(),
                                               std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), places_.data());
   for (const std::uint32_t place : std::span(places_.data(), count)) {
     const std::uint32_t photon = kept_.index()[place];
     if (judged >= 0.0 && measure_.squared(photon) <= judged) continue;
-    index_->planes.for_each_hiding(photon, measure_.center.point, farthest_, [&](std::uint32_t node, double squared) {
-      doubts_.push_back({photon, node, squared});
-      return true;
-    });
+    index_->planes.for_each_hiding(index_->photons, photon, measure_.center.point, farthest_,
+                                   [&](std::uint32_t node, double squared) {
+                                     doubts_.push_back({photon, node, squared});
+                                     return true;
+                                   });
   }
 }
 
@@ -129,7 +130,8 @@ PhotonSearch::Verdict PhotonSearch::judge_by_found(const Doubt& doubt) {
     return visited_before(index_->photons, measure_.center.point, doubt.node, nearer_.index(), is_other);
   };
   if (found_before([](std::uint32_t) { return false; }).count < maximum_) return Verdict::found;
-  index_->planes.drop_hidden(measure_.center.point, std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), 0, nearer_);
+  index_->planes.drop_hidden(index_->photons, measure_.center.point,
+                             std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), 0, nearer_);
   const VisitedBefore certain = found_before([&](std::uint32_t photon) {
     const double squared = measure_.squared(photon);
     return squared > doubt.squared && squared < radius_ * radius_;

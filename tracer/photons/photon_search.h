@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "tracer/base/realloc_vector.h"
 #include "tracer/photons/photon.h"
 #include "tracer/photons/photon_kernels.h"
 #include "tracer/photons/photon_order.h"
@@ -14,13 +13,14 @@ namespace verisim::global {
 
 // Photons in the order of their map, and what finds them.
 struct PhotonIndex {
-  ReallocVector<Photon> photons;
+  PhotonList photons;
   WrongPlanes planes;
   PhotonTree tree;
 
   void build() {
+    photons.fit();
     planes.build(photons);
-    tree.build(photons);
+    tree.build(photons.positions);
   }
 };
 

@@ -10,17 +10,17 @@ namespace {
 constexpr int kLevelsOfNode = std::bit_width(PhotonTree::kParts) - 1;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-void set_bounds(PhotonBoxes& boxes, std::size_t lane, std::span<const Photon> photons) {
+void set_bounds(PhotonBoxes& boxes, std::size_t lane, std::span<const PhotonPosition> photons) {
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto [low, high] = std::ranges::minmax(photons, {}, [a](const Photon& p) { return p.position[a]; });
-    boxes.low[a][lane] = low.position[a], boxes.high[a][lane] = high.position[a];
+    const auto [low, high] = std::ranges::minmax(photons, {}, [a](const PhotonPosition& p) { return p[a]; });
+    boxes.low[a][lane] = low[a], boxes.high[a][lane] = high[a];
   }
 }
 
 }  // namespace
 
-void PhotonTree::build(std::span<const Photon> sorted) {
-  nodes_.clear(), leaves_.clear(), firsts_.clear();
+void PhotonTree::build(std::span<const PhotonPosition> sorted) {
+  nodes_.clear(), firsts_.clear();
   if (sorted.empty()) return;
   // Only the root may have few parts: nodes above the leaves are the many ones.
   const auto count = static_cast<std::uint32_t>(sorted.size());
@@ -28,25 +28,14 @@ void PhotonTree::build(std::span<const Photon> sorted) {
   while ((count >> levels) + 1 > kLeaf) ++levels;
   height_ = levels > 0 ? (levels - 1) / kLevelsOfNode : 0;
   const std::size_t leaves = std::size_t{1} << levels, lowest = leaves / kParts + 1;
-  leaves_.reserve(leaves), firsts_.reserve(leaves);
+  firsts_.reserve(leaves + 1);
   nodes_.reserve(lowest + lowest / kParts * 2 + 2);
   add_node(sorted, {0, count, 0}, height_, levels - height_ * kLevelsOfNode);
-}
-
-std::uint32_t PhotonTree::add_leaf(std::span<const Photon> sorted, const Range& range) {
-  const std::span<const Photon> photons = sorted.subspan(range.first, range.size());
-  firsts_.push_back(range.first);
-  PhotonLeaf& leaf = leaves_.emplace_back();
-  for (auto* coordinate : {&leaf.x, &leaf.y, &leaf.z}) coordinate->fill(kInfinity);
-  for (std::size_t i = 0; i < photons.size(); ++i) {
-    const std::array<float, 3>& p = photons[i].position;
-    leaf.x[i] = p[0], leaf.y[i] = p[1], leaf.z[i] = p[2];
-  }
-  return static_cast<std::uint32_t>(leaves_.size() - 1);
+  firsts_.push_back(count);
 }
 
 // Halves the range and its parts `levels` times: none gets smaller than half a leaf.
-std::uint32_t PhotonTree::add_node(std::span<const Photon> sorted, const Range& range, int height, int levels) {
+std::uint32_t PhotonTree::add_node(std::span<const PhotonPosition> sorted, const Range& range, int height, int levels) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   Node& fresh = nodes_.emplace_back();
   for (std::size_t a = 0; a < 3; ++a) {
@@ -67,9 +56,13 @@ std::uint32_t PhotonTree::add_node(std::span<const Photon> sorted, const Range& 
   for (std::size_t lane = 0; lane < n; ++lane) {
     const Range& part = parts[lane];
     set_bounds(nodes_[number].boxes, lane, sorted.subspan(part.first, part.size()));
-    const std::uint32_t child =
-        height == 0 ? add_leaf(sorted, part) : add_node(sorted, part, height - 1, kLevelsOfNode);  // may move the nodes
-    nodes_[number].child[lane] = child;
+    if (height == 0) {
+      nodes_[number].child[lane] = static_cast<std::uint32_t>(firsts_.size());
+      firsts_.push_back(part.first);
+    } else {
+      const std::uint32_t child = add_node(sorted, part, height - 1, kLevelsOfNode);  // may move the nodes
+      nodes_[number].child[lane] = child;
+    }
   }
   return number;
 }

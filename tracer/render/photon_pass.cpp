@@ -144,15 +144,14 @@ class Shooter {
 
   void store(const StoredPhoton& s) {
     global::PhotonMap& map = s.media ? effects_.media_photons() : effects_.surface_photons();
-    const std::uint64_t most = options_.pass_memory / sizeof(global::Photon);
+    const std::uint64_t most = options_.pass_memory / (sizeof(global::PhotonPosition) + sizeof(global::Photon));
     if (effects_.surface_photons().size() + effects_.media_photons().size() >= most)
       throw LimitExceeded("more than " + std::to_string(most) +
                           " photons: raise the spacing or lower the count in photons { }, or allow more memory");
     global::Photon photon;
-    photon.position = {static_cast<float>(s.point.x), static_cast<float>(s.point.y), static_cast<float>(s.point.z)};
     photon.energy = global::Photon::encode(s.energy);
     photon.set_direction(s.towards_light);
-    map.add(photon);
+    map.add({static_cast<float>(s.point.x), static_cast<float>(s.point.y), static_cast<float>(s.point.z)}, photon);
   }
 
   global::SceneEffects& effects_;

@@ -9,6 +9,7 @@ namespace {
 
 using global::IrradianceSample;
 using global::Photon;
+using global::PhotonPosition;
 
 constexpr std::uint32_t kVersion = 1;
 
@@ -22,21 +23,22 @@ Vec3 take_vector(ByteSource& in) {
   return v;
 }
 
-void put(std::string& out, const Photon& photon) {
-  for (const float c : photon.position) put_bytes(out, c);
+void put(std::string& out, const PhotonPosition& position, const Photon& photon) {
+  for (const float c : position) put_bytes(out, c);
   for (const std::uint8_t c : photon.energy) put_bytes(out, c);
   put_bytes(out, photon.axis), put_bytes(out, photon.elevation), put_bytes(out, photon.azimuth);
 }
 
-Photon take_photon(ByteSource& in) {
+void take_photon(ByteSource& in, global::PhotonMap& map) {
+  PhotonPosition position;
   Photon photon;
-  for (float& c : photon.position) c = in.take<float>();
+  for (float& c : position) c = in.take<float>();
   for (std::uint8_t& c : photon.energy) c = in.take<std::uint8_t>();
   photon.axis = in.take<std::uint8_t>();
   photon.elevation = in.take<std::int8_t>(), photon.azimuth = in.take<std::int8_t>();
-  if (photon.axis > 2 || !std::isfinite(photon.position[0] + photon.position[1] + photon.position[2]))
+  if (photon.axis > 2 || !std::isfinite(position[0] + position[1] + position[2]))
     throw std::runtime_error("an impossible photon");
-  return photon;
+  map.add(position, photon);
 }
 
 void put(std::string& out, const IrradianceSample& s) {
@@ -58,11 +60,11 @@ IrradianceSample take_sample(ByteSource& in) {
 
 void put_photons(std::string& out, const global::PhotonMap& map) {
   put_bytes(out, std::uint64_t{map.size()});
-  for (const Photon& photon : map.photons()) put(out, photon);
+  for (std::size_t i = 0; i < map.size(); ++i) put(out, map.positions()[i], map.photons()[i]);
 }
 
 void take_photons(ByteSource& in, global::PhotonMap& map) {
-  for (auto left = in.take<std::uint64_t>(); left > 0; --left) map.add(take_photon(in));
+  for (auto left = in.take<std::uint64_t>(); left > 0; --left) take_photon(in, map);
   map.build_sorted();  // they were written in the order of the map
 }
 

@@ -61,16 +61,16 @@ void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
   const bool is_target = shot_.target->contains(surface.object);
   if (is_target) packet.reached = hit_target_ = true;
   const bool passes = !packet.reached;
-  if (passes && !surface.photons.pass_through) return;
+  if (passes && !surface.photons().pass_through) return;
   if (media_ && packet.ray.hollow)
     media_->segment(tracer_, packet.ray, hit.t, packet.path, left_target, shot_, packet.color, *stored_);
   packet.path += hit.t;
   packet.color *= tracer_.fade_factor(packet.ray.interiors, *surface.interior, hit.t);
   const scene::LightSource& light = *shot_.light;
   Encounter what;
-  what.stores = !first_segment && packet.reached && !packet.passed && surface.photons.collect;
-  what.refracts = passes || allowed(surface.photons.refraction, light.photon_refraction);
-  what.reflects = !passes && allowed(surface.photons.reflection, light.photon_reflection);
+  what.stores = !first_segment && packet.reached && !packet.passed && surface.photons().collect;
+  what.refracts = passes || allowed(surface.photons().refraction, light.photon_refraction);
+  what.reflects = !passes && allowed(surface.photons().reflection, light.photon_reflection);
   packet.passed = passes;
   if (!what.stores && !what.scatters()) return;
   ++nesting_;

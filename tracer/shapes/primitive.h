@@ -180,7 +180,9 @@ class Primitive : public Shape {
     return inverted_ ? -n : n;
   }
   Box3 bounds() const final { return cold_->bounds; }
-  SolidExtent solid_extent() const final { return cold_->solid; }
+  SolidExtent solid_extent() const final {
+    return cold_->solid ? *cold_->solid : SolidExtent{bounds(), solid_outside_};
+  }
 
   // The inside formula with inversion; shapes whose inverted form is not the plain complement hide it.
   bool formula(const Vec3& p) const { return derived().contains(p) != inverted_; }
@@ -227,13 +229,13 @@ class Primitive : public Shape {
   struct Cold {
     scene::Rare<Transform> matrix;  // shared with the description
     Box3 bounds;
-    SolidExtent solid;
+    std::unique_ptr<const SolidExtent> solid;  // null: its box is that of the surface
   };
 
   std::unique_ptr<const Guards> guards_;
   std::unique_ptr<const Cold> cold_;
   const Transform* matrix_;  // the identity where there is none
-  bool inverted_, has_matrix_;
+  bool inverted_, has_matrix_, solid_outside_ = false;
 };
 
 // The part of `box` that can lie inside every clip object.
@@ -246,10 +248,14 @@ template <class Derived>
 Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& local)
     : Shape(description),
       guards_(Guards::of(description)),
-      cold_(std::make_unique<Cold>(Cold{description.transform, surface_bounds(description, local.box, guards_.get()),
-                                        surface_solid(description, local, guards_.get())})),
-      matrix_(&*cold_->matrix),
       inverted_(description.inverted),
-      has_matrix_(description.transform.has_value()) {}
+      has_matrix_(description.transform.has_value()) {
+  const Box3 bounds = surface_bounds(description, local.box, guards_.get());
+  const SolidExtent solid = surface_solid(description, local, guards_.get());
+  solid_outside_ = solid.outside;
+  cold_ = std::make_unique<Cold>(
+      Cold{description.transform, bounds, solid.box == bounds ? nullptr : std::make_unique<SolidExtent>(solid)});
+  matrix_ = &*cold_->matrix;
+}
 
 }  // namespace verisim::shapes

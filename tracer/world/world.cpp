@@ -58,16 +58,6 @@ bool cheaper_than_box_test(const scene::Object& o) {
          o.as<scene::SmoothTriangle>();
 }
 
-Box3 widened(const scene::Bounds& b) {
-  Vec3 low = scene::low_corner(b), high;
-  for (int i = 0; i < 3; ++i) {
-    high[i] = low[i] + b.size[i];
-    const double pad = 1e-6 * std::max(std::fabs(low[i]), std::fabs(high[i])) + 1e-9;
-    low[i] -= pad, high[i] += pad;
-  }
-  return {low, high};
-}
-
 // What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not,
 // its box decides what is seen.
 Box3 tight_box(const Box3& pov, const Box3& surface) {
@@ -127,25 +117,22 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
   s.ignore_global_lights = o.ignore_global_lights;
   s.uv_mapping = o.uv_mapping;
   s.no_radiosity = o.no_radiosity;
-  s.photons = o.photons;
   s.cutaway = cutaway;
   s.opaque = s.texture && s.texture->opaque && (!s.interior_texture || s.interior_texture->opaque);
+  Surface::Rest rest;
   for (const scene::TexturePtr& texture : shape.extra_textures()) {
-    s.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
-    s.opaque = s.opaque && s.extra_textures.back() && s.extra_textures.back()->opaque;
+    rest.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
+    s.opaque = s.opaque && rest.extra_textures.back() && rest.extra_textures.back()->opaque;
   }
   const auto map = [](const textures::CompiledTexture* texture) { return texture && texture->patterned(); };
   const bool kept = was_flagged_opaque(o, compiler);
-  const bool flagged =
-      kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) && !std::ranges::any_of(s.extra_textures, map));
+  const bool flagged = kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) &&
+                                !std::ranges::any_of(rest.extra_textures, map));
   s.opaque = s.opaque || kept;
   const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
-  if (!o.group_lights.empty()) {
-    auto& list = group_lights.emplace_back();
-    for (const auto& light : o.group_lights) list.push_back(light.get());
-    s.group_lights = list;
-  }
+  for (const auto& light : o.group_lights) rest.group_lights.push_back(light.get());
+  if (!rest.group_lights.empty() || !rest.extra_textures.empty()) s.rest = &surface_rests.emplace_back(std::move(rest));
   shape.surface = &s;
 }
 
@@ -201,14 +188,14 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
                                                             : Opacity::mixed;
     if (lets_light_through(e)) w.transparent_shadows = true;
     e.infinite = scene::is_infinite(o);
-    e.box = widened(o.bounds);
+    const Box3 box = e.box();
 
     // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
-    const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
-    const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
-    e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
+    const bool never = is_empty(box) && !(w.in_order && exempt_from_box_test(o));
+    const bool boxless = e.infinite || is_empty(box) || (w.in_order && exempt_from_box_test(o));
+    e.test_box = !is_empty(box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    if (!is_empty(e.box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
+    if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
     e.edged = !e.infinite && !w.in_order && (o.as<scene::Box>() || o.as<scene::Csg>());
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
@@ -219,7 +206,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
       beside.push_back(static_cast<std::uint32_t>(i));
     else if (!never)
       finite.push_back(static_cast<std::uint32_t>(i));
-    if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
+    if (!e.infinite && !is_empty(box)) w.bounds.extendBy(box);
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
   }
@@ -258,19 +245,19 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
                [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
   if (largest.size() < 2) return;
   const std::size_t most = std::min(kMax, largest.size() - 1);
-  const auto size = [&](std::uint32_t i) { return length(entries[i].box.max - entries[i].box.min); };
+  const auto size = [&](std::uint32_t i) { return length(entries[i].box().size()); };
   std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(),
                     [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
   for (std::size_t count = most; count > 0 && around.empty(); --count) {
     Box3 others;
-    for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box);
+    for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box());
     const Vec3 center = 0.5 * (others.min + others.max), reach = 0.5 * kFar * (others.max - others.min);
     const Box3 wide(center - reach, center + reach);
     for (std::size_t k = 0; k < count; ++k) {
       const Entry& e = entries[largest[k]];
       const Box3 surface = e.shape->bounds();
       const auto enclosure = shapes::InteriorProxy::of(*e.object);
-      if (enclosure && enclosure->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max))
+      if (enclosure && enclosure->holds(wide) && contains(e.box(), surface.min) && contains(e.box(), surface.max))
         around.push_back({largest[k], *enclosure});
     }
     if (around.size() < count) around.clear();
@@ -280,9 +267,10 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
 
 Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
-  const Box3 kept = e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
+  const Box3 box = e.box(),
+             kept = e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(box, e.shape->bounds());
   const shapes::SolidExtent solid = e.shape->solid_extent();
-  const Box3 inside = solid.outside ? e.box : shapes::common(e.box, solid.box);
+  const Box3 inside = solid.outside ? box : shapes::common(box, solid.box);
   if (!is_empty(inside) && !(contains(kept, inside.min) && contains(kept, inside.max)))
     deep.push_back(index), deep_boxes.push_back(inside);
   return kept;
@@ -320,6 +308,7 @@ std::vector<Coincidences::Met>& Coincidences::scratch() {
 const Hierarchy& World::Impl::hierarchy() const {
   std::call_once(hierarchy_made, [this] {
     std::vector<Hierarchy::Item> items;
+    items.reserve(entries.size());
     for (std::uint32_t i = 0; i < entries.size(); ++i) {
       // A light has the box of what it looks like.
       const auto* light = entries[i].object->as<scene::LightSource>();
@@ -335,7 +324,7 @@ bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
   // Where a ray runs through the inside of the box for a while, rounding cannot refuse it. Along a face it can: boxes
   // around this one may end a little before it.
   const double slack = kCoincident * length(ray.origin) + 1e-8;
-  const Box3 inside(entries[index].box.min + Vec3(slack), entries[index].box.max - Vec3(slack));
+  const Box3 box = entries[index].box(), inside(box.min + Vec3(slack), box.max - Vec3(slack));
   double near = -HUGE_VAL, far = HUGE_VAL;
   if (!is_empty(inside) && clip_to_box(ray, inside, near, far) &&
       far - near > kCoincident * (std::fabs(near) + length(ray.origin)))
@@ -433,7 +422,7 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   around.erase(std::unique(around.begin(), around.end()), around.end());
   for (const std::uint32_t index : around) {
     const Entry& e = w.entries[index];
-    if (e.object->interior && contains(e.box, p) && e.shape->inside_unclipped(p))
+    if (e.object->interior && contains(e.box(), p) && e.shape->inside_unclipped(p))
       interiors.push_back(e.object->interior.get());
   }
 }
@@ -464,17 +453,17 @@ void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
 void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const {
   out.clear();
   const Surface& surface = *hit.shape->surface;
-  if (!surface.texture && surface.cutaway && surface.extra_textures.empty()) {
+  if (!surface.texture && surface.cutaway && surface.extra_textures().empty()) {
     impl_->mix_cutaway(*surface.cutaway, hit.point, 1, out);
     return;
   }
-  if (surface.extra_textures.empty()) return;
+  if (surface.extra_textures().empty()) return;
   thread_local std::vector<shapes::TextureShare> shares;
   shares.clear();
   hit.shape->texture_shares(hit, inside_hit, shares);
   for (const shapes::TextureShare& share : shares) {
     const auto* texture =
-        share.texture < 0 ? surface.texture : surface.extra_textures[static_cast<std::size_t>(share.texture)];
+        share.texture < 0 ? surface.texture : surface.extra_textures()[static_cast<std::size_t>(share.texture)];
     if (texture) out.push_back({texture, share.weight});
   }
 }

@@ -19,21 +19,34 @@ struct Surface {
   const textures::CompiledTexture* interior_texture = nullptr;  // may be null
   const scene::Interior* interior = nullptr;                    // never null
   const scene::Object* object = nullptr;                        // description of the primitive
-  int frame_object = 0;                                         // index of the frame-level object
-  bool opaque = false;  // texture and interior_texture are flagged opaque, or were (spec 06 9.3)
   // What POV-Ray's shadow cache remembers of a hit that blocks a light, or null, and whether that filters once more
   // what passes here (spec 08 D).
   const Shape* remembered = nullptr;
+  // The outermost intersection, difference, merge or clipped union around a primitive; null: none.
+  const Shape* cutaway = nullptr;
+  // What few have.
+  struct Rest {
+    std::vector<const scene::LightSource*> group_lights;
+    std::vector<const textures::CompiledTexture*> extra_textures;
+  };
+  const Rest* rest = nullptr;  // null: nothing
+  int frame_object = 0;        // index of the frame-level object
+  bool opaque = false;         // texture and interior_texture are flagged opaque, or were (spec 06 9.3)
   bool filters_twice = false;
   bool double_illuminate = false, ignore_global_lights = false, uv_mapping = false, no_radiosity = false;
-  std::span<const scene::LightSource* const> group_lights;
-  scene::PhotonFlags photons;
-  std::vector<const textures::CompiledTexture*>
-      extra_textures;  // of Shape::extra_textures; entries may be null: the object's own
+
+  std::span<const scene::LightSource* const> group_lights() const {
+    return rest ? std::span<const scene::LightSource* const>(rest->group_lights)
+                : std::span<const scene::LightSource* const>();
+  }
+  // Of Shape::extra_textures; entries may be null: the object's own.
+  std::span<const textures::CompiledTexture* const> extra_textures() const {
+    return rest ? std::span<const textures::CompiledTexture* const>(rest->extra_textures)
+                : std::span<const textures::CompiledTexture* const>();
+  }
+  const scene::PhotonFlags& photons() const { return *object->photons; }
   // More than its own texture may show at a hit (World::weighted_textures).
-  bool shows_several() const { return !texture || !extra_textures.empty(); }
-  const Shape* cutaway =
-      nullptr;  // the outermost intersection, difference, merge or clipped union around a primitive; null: none
+  bool shows_several() const { return !texture || !extra_textures().empty(); }
 };
 
 }  // namespace verisim::shapes

@@ -185,7 +185,7 @@ class World::BatchSearch {
     for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
       const std::uint32_t index = w_.unbounded[i];
       const Entry& e = w_.entries[index];
-      if (w_.planes[i] || (e.hidden & mask_) || contains(e.box, rays_.at(0).origin) == outside) continue;
+      if (w_.planes[i] || (e.hidden & mask_) || contains(e.box(), rays_.at(0).origin) == outside) continue;
       unsigned lanes = 0;
       each_lane(rays_.active, [&](int k) { lanes |= e.may_meet(rays_.at(k), t_min_, limit_[k]) ? 1u << k : 0; });
       if (lanes != 0) test(*e.shape, index, nullptr, lanes);

@@ -26,27 +26,39 @@ using shapes::Surface;
 
 enum class Opacity : unsigned char { opaque, transparent, mixed };
 
+// POV-Ray's box with room for rounding.
+inline Box3 widened(const scene::Bounds& b) {
+  Vec3 low = scene::low_corner(b), high;
+  for (int i = 0; i < 3; ++i) {
+    high[i] = low[i] + b.size[i];
+    const double pad = 1e-6 * std::max(std::fabs(low[i]), std::fabs(high[i])) + 1e-9;
+    low[i] -= pad, high[i] += pad;
+  }
+  return {low, high};
+}
+
 // One frame-level object.
 struct Entry {
   const Shape* shape = nullptr;
   const scene::Object* object = nullptr;
-  unsigned hidden = 0;  // RayKinds that do not see it, as bits
+  unsigned short hidden = 0;  // RayKinds that do not see it, as bits
   Opacity opacity = Opacity::opaque;
   bool infinite = false;      // of the kind POV-Ray tests before all others
-  bool test_box = false;      // rays that miss `box` miss the object
+  bool test_box = false;      // rays that miss the box miss the object
   bool copied = false;        // of a declared object, or part of such a copy
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
-  Box3 box;                   // POV-Ray's, right or wrong, widened by rounding
-  SlabTest slab;              // for hits
   bool edged = false;         // is in POV-Ray's hierarchy, and its surface may run along edges of its box
+  SlabTest slab;              // for hits
+  Box3 box() const { return widened(object->bounds); }  // POV-Ray's, right or wrong
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
     double near = t_min, far = t_max;
-    return (!test_box || clip_to_box(ray, box, near, far)) &&
+    return (!test_box || clip_to_box(ray, box(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
   // A hit near an edge of the box, which is wider than POV-Ray's by less than the slack.
   bool at_edge(const Hit& hit) const {
     const Vec3& p = hit.point;
+    const Box3 box = this->box();
     const double slack = kCoincident * (hit.t + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z)) + 1e-8;
     const auto near_face = [&](int i) { return std::min(p[i] - box.min[i], box.max[i] - p[i]) < slack; };
     return near_face(0) + near_face(1) + near_face(2) > 1;
@@ -134,7 +146,7 @@ struct World::Impl {
   Bvh deep_tree;
   shapes::BoxSet few;  // its boxes, if they are so few that a single ray finds them sooner without it
   std::deque<Surface> surfaces;
-  std::deque<std::vector<const scene::LightSource*>> group_lights;
+  std::deque<Surface::Rest> surface_rests;
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;
   bool in_order = false;  // too few entries for a hierarchy

@@ -26,7 +26,7 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
       if (at.keeps_lights) light_cache_[at.light_cache + i] = cache;
     }
   }
-  for (const scene::LightSource* source : at.surface.group_lights) {
+  for (const scene::LightSource* source : at.surface.group_lights()) {
     CachedLight cache;
     const Rgb added = light_contribution(ray, at, layer, scene_.light_of(source), cache);
     if (observer_) tell_light(ray, at, layer, scene_.light_of(source), cache, added);

@@ -87,7 +87,7 @@ void Wavefront::meet(int i) {
     return;
   }
   const shapes::Surface& surface = *hit.shape->surface;
-  if (surface.ignore_global_lights || !surface.group_lights.empty()) return;
+  if (surface.ignore_global_lights || !surface.group_lights().empty()) return;
   const auto* texture = inside && surface.interior_texture ? surface.interior_texture : surface.texture;
   weighted_.clear();
   if (surface.shows_several()) scene_.world.weighted_textures(hit, inside, weighted_);

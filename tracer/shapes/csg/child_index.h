@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/shapes/quadrics/box_set.h"
@@ -28,7 +29,7 @@ class ChildIndex {
     if (few_)
       take_few();
     else
-      tree_ = accel::Bvh(boxes_);
+      tree_ = std::make_unique<const accel::Bvh>(boxes_);
     boxes_ = {};
   }
   // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
@@ -36,8 +37,8 @@ class ChildIndex {
   void along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     for (const std::uint32_t child : unbounded_) t_max = visit(child, t_max);
     if (!few_)
-      return tree_.traverse(ray, t_min, t_max,
-                            [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
+      return tree_->traverse(ray, t_min, t_max,
+                             [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
     for (std::uint32_t places = always_; places != 0; places &= places - 1) t_max = visit(first_of(places), t_max);
     set_.traverse(ray, t_min, t_max,
                   [&](std::uint32_t i, double limit) { return visit(children_[places_[i]], limit); });
@@ -63,7 +64,7 @@ class ChildIndex {
   bool any_around(const Vec3& p, Visit&& visit) const {
     for (const std::uint32_t child : unbounded_)
       if (visit(child)) return true;
-    if (!few_) return tree_.any_around(p, [&](std::uint32_t i) { return visit(children_[i]); });
+    if (!few_) return tree_->any_around(p, [&](std::uint32_t i) { return visit(children_[i]); });
     for (std::uint32_t here = placed(set_.empty() ? 0 : set_.around(p)); here != 0; here &= here - 1)
       if (visit(first_of(here))) return true;
     return false;
@@ -130,7 +131,7 @@ class ChildIndex {
   BoxSet set_;                         // of few
   std::vector<std::uint32_t> places_;  // of its boxes
   std::uint32_t always_ = 0;
-  accel::Bvh tree_;  // of many
+  std::unique_ptr<const accel::Bvh> tree_;  // of many
 };
 
 }  // namespace verisim::shapes

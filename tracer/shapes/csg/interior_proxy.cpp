@@ -29,7 +29,7 @@ std::optional<InteriorProxy> InteriorProxy::of(const scene::Object& object) {
   }
   if (const auto* cone = object.as<scene::Cone>()) {
     InteriorProxy proxy(object, Form::cone);
-    if (!object.transform) proxy.to_local_ = cone_frame(*cone), proxy.has_matrix_ = true;
+    if (!object.transform) proxy.to_local_ = cone_frame(*cone);
     const Box3 box = cone_box(*cone);  // a cylinder's radius is 1; a cone's is its height above the tip
     const bool cylinder = cone_is_cylinder(*cone);
     proxy.radius2_ = cylinder ? 1 - kMargin : 0, proxy.widening_ = cylinder ? 0 : 1 - kMargin;

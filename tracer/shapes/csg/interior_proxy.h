@@ -13,11 +13,11 @@ class InteriorProxy {
   // Of a sphere, box, cone or cylinder without clips and bounds, inverted or not; of others none.
   static std::optional<InteriorProxy> of(const scene::Object& object);
 
-  bool holds(const Vec3& p) const { return has_matrix_ ? contains(to_local_.inverse_point(p)) : contains(p); }
+  bool holds(const Vec3& p) const { return to_local_ ? contains(to_local_->inverse_point(p)) : contains(p); }
   // Both ends of a interval of a ray, and therefore all of it.
   bool holds(const Ray& ray, double near, double far) const {
-    if (!has_matrix_) return contains(ray.origin + far * ray.direction) && contains(ray.origin + near * ray.direction);
-    const Vec3 origin = to_local_.inverse_point(ray.origin), direction = to_local_.inverse_direction(ray.direction);
+    if (!to_local_) return contains(ray.origin + far * ray.direction) && contains(ray.origin + near * ray.direction);
+    const Vec3 origin = to_local_->inverse_point(ray.origin), direction = to_local_->inverse_direction(ray.direction);
     return contains(origin + far * direction) && contains(origin + near * direction);
   }
   bool holds(const Box3& box) const;
@@ -25,8 +25,7 @@ class InteriorProxy {
  private:
   enum class Form { ball, box, cone };
 
-  InteriorProxy(const scene::Object& object, Form form)
-      : form_(form), has_matrix_(object.transform), to_local_(object.transform.value_or(Transform{})) {}
+  InteriorProxy(const scene::Object& object, Form form) : form_(form), to_local_(object.transform) {}
   // Of numbers that are none: false.
   bool contains(const Vec3& p) const {
     const Vec3 q = p - center_;
@@ -41,8 +40,7 @@ class InteriorProxy {
   }
 
   Form form_;
-  bool has_matrix_;
-  Transform to_local_;
+  scene::Rare<Transform> to_local_;  // shared with the description; absent: none is needed
   Vec3 center_{0, 0, 0}, half_{0, 0, 0};
   double radius2_ = 0, widening_ = 0, low_ = 0, high_ = 0;  // of a cone: between two heights
 };

@@ -152,5 +152,22 @@ disc { <0,.01025,0>,vnormalize(<.0195,1,0>),3 no_image })";
   EXPECT_EQ(lin16(replayed, 1, 0)[0], 0);
 }
 
+// What has no weight in an average is shaded and draws numbers: each pixel takes the second of two (spec 05 11.1).
+TEST(Average, ShadesWhatDoesNotCount) {
+  render::Options options;
+  options.replay = true;
+  const auto row = [&](const std::string& texture, int width) {
+    return render_text(std::string("#version 3.7;") + kPrelude + R"(
+camera { orthographic location 50*y direction -y right 2*x up z } light_source { 1000*y rgb 1 parallel point_at 0 }
+plane { y,0 texture { )" + texture +
+                           " } }",
+                       width, 1, options);
+  };
+  const std::string grains = "pigment { rgb 0.5 } finish { ambient 0 diffuse 1 crand 0.2 }";
+  const render::Framebuffer alone = row(grains, 8),
+                            averaged = row("average texture_map { [0 " + grains + "] [1 " + grains + "] }", 4);
+  for (int x = 0; x < 4; ++x) EXPECT_EQ(lin16(averaged, x, 0)[0], lin16(alone, 2 * x + 1, 0)[0]) << x;
+}
+
 }  // namespace
 }  // namespace verisim::test

@@ -169,5 +169,20 @@ plane { y,0 texture { )" + texture +
   for (int x = 0; x < 4; ++x) EXPECT_EQ(lin16(averaged, x, 0)[0], lin16(alone, 2 * x + 1, 0)[0]) << x;
 }
 
+// Its second hit, the first that is not clipped away, seems to be nearer than it is: nearer than the sphere before it
+// and than all that the clip leaves of its box (spec 08 M).
+TEST(JuliaFractal, IsSeenBeforeWhatIsNearer) {
+  const render::Framebuffer frame = render_text(R"(#version 3.7;
+camera { orthographic location <-6,8,-5> direction <0.514874,-0.694366,0.502752> right 1e-5*x up 1e-5*y }
+#default { finish { ambient 1 diffuse 0 } }
+sphere { <-0.5,0.2,0.5>,0.5 pigment { rgb x } }
+sphere { <0,1,0>,0.1 pigment { rgb z } }
+julia_fractal { <0,0,-0.8,0> max_iteration 8 translate y scale 4 clipped_by { plane { y,0.5 } } pigment { rgb y } }
+)",
+                                                1, 1);
+  EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
+  EXPECT_EQ(lin16(frame, 0, 0)[1], 65535);
+}
+
 }  // namespace
 }  // namespace verisim::test

@@ -138,6 +138,7 @@ struct LocalRay {
 struct LocalBox {
   Box3 box;                  // in the shape's own space, before its matrix; everywhere(): infinite
   bool solid_inside = true;  // `contains` is false outside the box
+  bool clips_narrow = true;  // what is clipped away is not where hits seem to be, either
 };
 
 template <class Derived>
@@ -246,8 +247,9 @@ template <class Derived>
 Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& local)
     : Shape(description),
       guards_(Guards::of(description)),
-      cold_(std::make_unique<Cold>(Cold{description.transform, surface_bounds(description, local.box, guards_.get()),
-                                        surface_solid(description, local, guards_.get())})),
+      cold_(std::make_unique<Cold>(Cold{
+          description.transform, surface_bounds(description, local.box, local.clips_narrow ? guards_.get() : nullptr),
+          surface_solid(description, local, guards_.get())})),
       matrix_(&*cold_->matrix),
       inverted_(description.inverted),
       has_matrix_(description.transform.has_value()) {}

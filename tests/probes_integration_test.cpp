@@ -184,5 +184,21 @@ julia_fractal { <0,0,-0.8,0> max_iteration 8 translate y scale 4 clipped_by { pl
   EXPECT_EQ(lin16(frame, 0, 0)[1], 65535);
 }
 
+// Scaled without being normalised again, a normal along y is no unit vector, and POV-Ray takes it to look down: the
+// plane is lit from behind (spec 05 12.6).
+TEST(BumpMap, TurnsOverWhatIsNotNormalised) {
+  const auto brightness = [](const std::string& modifiers) {
+    return lin16(render_text("#version 3.7; camera { orthographic location 5*y direction -y right x up z } "
+                             "light_source { 9*y rgb 1 parallel point_at 0 } plane { y,0 pigment { rgb 1 } finish { "
+                             "ambient 0 diffuse 1 } normal { bump_map { function 4,4 { 0.5 } } " +
+                                 modifiers + " } }",
+                             1, 1),
+                 0, 0)[0];
+  };
+  EXPECT_NEAR(brightness("scale 2"), 65535, 2);
+  EXPECT_NEAR(brightness("no_bump_scale"), 65535, 2);
+  EXPECT_EQ(brightness("scale 2 no_bump_scale"), 0);
+}
+
 }  // namespace
 }  // namespace verisim::test

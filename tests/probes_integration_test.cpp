@@ -200,5 +200,19 @@ TEST(BumpMap, TurnsOverWhatIsNotNormalised) {
   EXPECT_EQ(brightness("scale 2 no_bump_scale"), 0);
 }
 
+// At hits of the field itself the last bit decides, and with it CSG of two in one place (spec 08 F).
+TEST(HeightField, InsidesAtItsOwnSurface) {
+  const render::Framebuffer frame = render_text(R"(#version 3.7;
+#declare Field = height_field { function 20,20 { 0.5+0.3*sin(x*9)*cos(y*7) } }
+background { rgb <inside(Field, <0.41491710384827335, 0.45703891700246135, 0.8160291431913418>),
+                  inside(Field, <0.2813170170974004, 0.6467555355493046, 0.02740108883981829>),
+                  inside(Field, <0.9837965174051426, 0.6216424941474474, 0.1956843175395182>)> }
+)",
+                                                1, 1);
+  EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
+  EXPECT_EQ(lin16(frame, 0, 0)[1], 0);
+  EXPECT_EQ(lin16(frame, 0, 0)[2], 65535);
+}
+
 }  // namespace
 }  // namespace verisim::test

@@ -152,5 +152,67 @@ disc { <0,.01025,0>,vnormalize(<.0195,1,0>),3 no_image })";
   EXPECT_EQ(lin16(replayed, 1, 0)[0], 0);
 }
 
+// What has no weight in an average is shaded and draws numbers: each pixel takes the second of two (spec 05 11.1).
+TEST(Average, ShadesWhatDoesNotCount) {
+  render::Options options;
+  options.replay = true;
+  const auto row = [&](const std::string& texture, int width) {
+    return render_text(std::string("#version 3.7;") + kPrelude + R"(
+camera { orthographic location 50*y direction -y right 2*x up z } light_source { 1000*y rgb 1 parallel point_at 0 }
+plane { y,0 texture { )" + texture +
+                           " } }",
+                       width, 1, options);
+  };
+  const std::string grains = "pigment { rgb 0.5 } finish { ambient 0 diffuse 1 crand 0.2 }";
+  const render::Framebuffer alone = row(grains, 8),
+                            averaged = row("average texture_map { [0 " + grains + "] [1 " + grains + "] }", 4);
+  for (int x = 0; x < 4; ++x) EXPECT_EQ(lin16(averaged, x, 0)[0], lin16(alone, 2 * x + 1, 0)[0]) << x;
+}
+
+// Its second hit, the first that is not clipped away, seems to be nearer than it is: nearer than the sphere before it
+// and than all that the clip leaves of its box (spec 08 M).
+TEST(JuliaFractal, IsSeenBeforeWhatIsNearer) {
+  const render::Framebuffer frame = render_text(R"(#version 3.7;
+camera { orthographic location <-6,8,-5> direction <0.514874,-0.694366,0.502752> right 1e-5*x up 1e-5*y }
+#default { finish { ambient 1 diffuse 0 } }
+sphere { <-0.5,0.2,0.5>,0.5 pigment { rgb x } }
+sphere { <0,1,0>,0.1 pigment { rgb z } }
+julia_fractal { <0,0,-0.8,0> max_iteration 8 translate y scale 4 clipped_by { plane { y,0.5 } } pigment { rgb y } }
+)",
+                                                1, 1);
+  EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
+  EXPECT_EQ(lin16(frame, 0, 0)[1], 65535);
+}
+
+// Scaled without being normalised again, a normal along y is no unit vector, and POV-Ray takes it to look down: the
+// plane is lit from behind (spec 05 12.6).
+TEST(BumpMap, TurnsOverWhatIsNotNormalised) {
+  const auto brightness = [](const std::string& modifiers) {
+    return lin16(render_text("#version 3.7; camera { orthographic location 5*y direction -y right x up z } "
+                             "light_source { 9*y rgb 1 parallel point_at 0 } plane { y,0 pigment { rgb 1 } finish { "
+                             "ambient 0 diffuse 1 } normal { bump_map { function 4,4 { 0.5 } } " +
+                                 modifiers + " } }",
+                             1, 1),
+                 0, 0)[0];
+  };
+  EXPECT_NEAR(brightness("scale 2"), 65535, 2);
+  EXPECT_NEAR(brightness("no_bump_scale"), 65535, 2);
+  EXPECT_EQ(brightness("scale 2 no_bump_scale"), 0);
+}
+
+// At hits of the field itself the last bit decides, and with it CSG of two in one place (spec 08 F).
+TEST(HeightField, InsidesAtItsOwnSurface) {
+  const render::Framebuffer frame = render_text(R"(#version 3.7;
+#declare Field = height_field { function 20,20 { 0.5+0.3*sin(x*9)*cos(y*7) } }
+background { rgb <inside(Field, <0.41491710384827335, 0.45703891700246135, 0.8160291431913418>),
+                  inside(Field, <0.2813170170974004, 0.6467555355493046, 0.02740108883981829>),
+                  inside(Field, <0.9837965174051426, 0.6216424941474474, 0.1956843175395182>)> }
+)",
+                                                1, 1);
+  EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
+  EXPECT_EQ(lin16(frame, 0, 0)[1], 0);
+  EXPECT_EQ(lin16(frame, 0, 0)[2], 65535);
+}
+
 }  // namespace
 }  // namespace verisim::test

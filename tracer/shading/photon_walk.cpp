@@ -103,7 +103,7 @@ void PhotonWalk::meet_texture(const Packet& packet, SurfaceHit& at, const textur
   for (const auto& entry : chosen) total += entry.weight;
   const Tracer::Frame inner{&texture, frame};
   for (const auto& entry : chosen) {
-    if (entry.weight == 0) continue;
+    if (entry.weight == 0 && !texture.average) continue;  // of an average, black photons are stored, too
     const float part = texture.average && total != 0 ? entry.weight / total : entry.weight;
     meet_texture(packet, at, *entry.texture, warped, &inner, share * part, what);
   }

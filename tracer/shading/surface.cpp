@@ -110,7 +110,8 @@ Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures:
   Color sum;
   for (std::size_t i = 0; i < count; ++i) {
     const textures::WeightedTexture entry = selection_[first + i];
-    if (entry.weight == 0) continue;
+    // POV-Ray shades what does not count in an average: it draws numbers.
+    if (entry.weight == 0 && !(texture.average && random_.replay())) continue;
     const ToldTexture told(observer_, entry.weight);
     sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
   }

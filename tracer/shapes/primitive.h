@@ -138,6 +138,7 @@ struct LocalRay {
 struct LocalBox {
   Box3 box;                  // in the shape's own space, before its matrix; everywhere(): infinite
   bool solid_inside = true;  // `contains` is false outside the box
+  bool clips_narrow = true;  // what is clipped away is not where hits seem to be, either
 };
 
 template <class Derived>
@@ -250,7 +251,7 @@ Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& 
       guards_(Guards::of(description)),
       inverted_(description.inverted),
       has_matrix_(description.transform.has_value()) {
-  const Box3 bounds = surface_bounds(description, local.box, guards_.get());
+  const Box3 bounds = surface_bounds(description, local.box, local.clips_narrow ? guards_.get() : nullptr);
   const SolidExtent solid = surface_solid(description, local, guards_.get());
   solid_outside_ = solid.outside;
   cold_ = std::make_unique<Cold>(

@@ -51,7 +51,7 @@ unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
     case SimpleSolid::Form::cone:
       return bits(within_cone(p, s.cylinder, s.open, s.c)) ^ turned;
     default:
-      return bits(quadric_value(*s.quadric, p) <= 0);
+      return bits(quadric_inside(*s.quadric, p));
   }
 }
 

@@ -60,9 +60,11 @@ class HeightField final : public Primitive<HeightField> {
     const int i = static_cast<int>(x), k = static_cast<int>(z);
     const double a = x - i, b = z - k;
     const auto h = [&](int di, int dk) { return std::max<double>(grid_->at(i + di, k + dk), grid_->water()); };
-    const double ground = a + b < 1 ? h(0, 0) + a * (h(1, 0) - h(0, 0)) + b * (h(0, 1) - h(0, 0))
-                                    : h(1, 1) + (1 - a) * (h(0, 1) - h(1, 1)) + (1 - b) * (h(1, 0) - h(1, 1));
-    return y < ground;
+    const bool first = a + b < 1;
+    const Vec3 up = first ? Vec3(h(0, 0) - h(1, 0), 1, h(0, 0) - h(0, 1))
+                          : Vec3(h(0, 1) - h(1, 1), 1, h(1, 0) - h(1, 1)),
+               corner = first ? Vec3(i, h(0, 0), k) : Vec3(i + 1, h(1, 1), k + 1);
+    return dot(up, p) < dot(up, corner);
   }
 
   Vec3 geometric_normal(const Hit& hit) const {

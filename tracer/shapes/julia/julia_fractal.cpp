@@ -243,7 +243,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   using MapPtr = std::shared_ptr<const julia::Map>;
 
   JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
-      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true}),
+      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true, false}),
         f_(f),
         field_(field_of(f)),
         radius_(bounding_radius(f)),

@@ -49,7 +49,7 @@ class Quadric final : public KernelPrimitive<Quadric> {
   }
 
   // Inversion has negated the coefficients already.
-  bool contains(const Vec3& p) const { return quadric_value(q_, p) <= 0; }
+  bool contains(const Vec3& p) const { return quadric_inside(q_, p); }
   bool formula(const Vec3& p) const { return contains(p); }
 
   Vec3 geometric_normal(const Hit& hit) const {

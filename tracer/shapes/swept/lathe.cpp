@@ -175,9 +175,7 @@ class Lathe final : public SearchPrimitive<Lathe> {
     int count = 0;
     for (const Segment& s : segments_) {
       if (p.y < s.y_low || p.y > s.y_high) continue;
-      double roots[kMaxBernsteinDegree];
-      const int n = s.curve.solve(height, p.y, roots);
-      for (int i = 0; i < n; ++i) count += s.curve.value(radius, roots[i]) >= rho;
+      count += s.curve.count_beyond(height, p.y, rho, sturm_);
     }
     return count & 1;
   }

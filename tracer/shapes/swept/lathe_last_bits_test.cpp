@@ -117,5 +117,19 @@ TEST(LastBits, Sor) {
                 {0.5550825429206933, -0.4774030082134599, -0.6811532414174036}}});
 }
 
+TEST(LastBits, InsidesOfLathes) {
+  const auto lathe = [](scene::SplineKind spline, std::vector<Vec2> points) {
+    return make(std::make_shared<const scene::Lathe>(scene::Lathe{spline, std::move(points)}));
+  };
+  expect_insides(lathe(scene::SplineKind::cubic, {{1, -1}, {0.5, -0.5}, {1, 0}, {0.5, 1}, {0, 1.5}}),
+                 {{{0.6842914530231092, 0.3291576067403925, -0.5856995742194635}, true},
+                  {{0.6998221575811487, 0.6541944317788313, 0.18018440884444864}, true},
+                  {{-0.405444291676738, 0.8216637862930886, -0.4657609311319848}, true}});
+  expect_insides(lathe(scene::SplineKind::bezier, {{0.5, -1}, {1, 0}, {0.5, 1}, {0, 1.5}}),
+                 {{{-0.377959197386009, 0.3960499040192029, 0.5120273703310756}, true},
+                  {{0.39883245372474907, -0.8027054992632809, 0.4293484890970583}, false},
+                  {{-0.129126902491216, -0.5030493993289666, 0.6586124104727777}, false}});
+}
+
 }  // namespace
 }  // namespace verisim::shapes::testing

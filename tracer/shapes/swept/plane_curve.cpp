@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/math/bernstein.h"
+#include "tracer/math/polynomial.h"
 
 namespace verisim::shapes {
 
@@ -22,16 +22,14 @@ CurveSegment CurveSegment::bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2
   return {{p0, 3.0 * (p1 - p0), 3.0 * (p0 - 2.0 * p1 + p2), p3 - p0 + 3.0 * (p1 - p2)}, 3};
 }
 
-int CurveSegment::solve(int axis, double v, double* roots) const {
-  double power[4];
-  for (int i = 0; i <= degree; ++i) power[i] = c[static_cast<std::size_t>(i)][axis];
-  power[0] -= v;
-  if (degree == 1) {
-    if (power[1] == 0) return 0;
-    roots[0] = -power[0] / power[1];
-    return roots[0] >= 0 && roots[0] <= 1;
-  }
-  return degree == 2 ? bernstein_roots<2>(power, 0, 1, roots) : bernstein_roots<3>(power, 0, 1, roots);
+int CurveSegment::count_beyond(int axis, double v, double least, bool sturm) const {
+  double falling[4], roots[3];
+  for (int i = 0; i <= degree; ++i) falling[degree - i] = c[static_cast<std::size_t>(i)][axis];
+  falling[degree] -= v;
+  int count = 0;
+  const int n = solve_polynomial(degree, falling, roots, sturm);
+  for (int i = 0; i < n; ++i) count += roots[i] >= 0 && roots[i] <= 1 && value(1 - axis, roots[i]) >= least;
+  return count;
 }
 
 void CurveSegment::extremes(int axis, double& low, double& high) const {

@@ -16,8 +16,9 @@ struct CurveSegment {
 
   double value(int axis, double w) const { return ((c[3][axis] * w + c[2][axis]) * w + c[1][axis]) * w + c[0][axis]; }
   double slope(int axis, double w) const { return (3 * c[3][axis] * w + 2 * c[2][axis]) * w + c[1][axis]; }
-  // w in [0, 1] where a coordinate takes a value, ends included; increasing.
-  int solve(int axis, double value, double* roots) const;
+  // How often a coordinate takes a value where the other one is at `least` or beyond. By POV-Ray's closed forms, or
+  // Sturm sequences, whose roots at the ends of a segment are not quite 0 and 1 (spec 08 F).
+  int count_beyond(int axis, double value, double least, bool sturm) const;
   // Smallest and largest coordinate on the segment.
   void extremes(int axis, double& low, double& high) const;
   // A rectangle around the points of from <= w <= to, wider than they are rounded.

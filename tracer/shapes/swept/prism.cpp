@@ -258,14 +258,14 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   int times_met(const Segment& s, double x, double z) const {
     if (s.curve.degree == 1) {
       const Piece& p = pieces_[s.first_piece];
-      return x < s.x_low && p.z_begin != p.z_end ? 1 : roots_right_of(s.curve, x, z);
+      return x < s.x_low && p.z_begin != p.z_end ? 1 : s.curve.count_beyond(along_z, z, x, sturm_);
     }
-    if (level_with_end(s, z)) return roots_right_of(s.curve, x, z);
+    if (level_with_end(s, z)) return s.curve.count_beyond(along_z, z, x, sturm_);
     int count = 0;
     for (std::size_t i = s.first_piece; i < s.end_piece; ++i) {
       const Piece& p = pieces_[i];
       if (z < p.bounds.min.y || z > p.bounds.max.y || x > p.bounds.max.x) continue;
-      if (x >= p.bounds.min.x || z == p.z_begin || z == p.z_end) return roots_right_of(s.curve, x, z);
+      if (x >= p.bounds.min.x || z == p.z_begin || z == p.z_end) return s.curve.count_beyond(along_z, z, x, sturm_);
       count += (p.z_begin < z) != (p.z_end < z);
     }
     return count;
@@ -276,17 +276,6 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     return std::fabs(z - pieces_[s.first_piece].z_begin) < slack ||
            std::fabs(z - pieces_[s.end_piece - 1].z_end) < slack;
   }
-  // By POV-Ray's closed forms, whose roots at the ends of a segment are not quite 0 and 1 (spec 08 F).
-  int roots_right_of(const CurveSegment& curve, double x, double z) const {
-    double falling[4], roots[3];
-    for (int i = 0; i <= curve.degree; ++i) falling[curve.degree - i] = curve.c[static_cast<std::size_t>(i)][along_z];
-    falling[curve.degree] -= z;
-    int count = 0;
-    const int n = solve_polynomial(curve.degree, falling, roots, sturm_);
-    for (int i = 0; i < n; ++i) count += roots[i] >= 0 && roots[i] <= 1 && curve.value(along_x, roots[i]) >= x;
-    return count;
-  }
-
   bool conic_, open_, sturm_;
   double low_, high_;
   Box3 box_;

@@ -233,17 +233,12 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     const Vec3 p = local(point);
     const auto covers = [&](std::size_t i) {
       const Segment& s = segments_[i];
-      const int k = s.degree;
-      double power[7] = {}, roots[1];
-      for (int a = 0; a <= k; ++a)
-        for (int b = 0; b <= k; ++b) {
-          const Vec4 v = s.c[static_cast<std::size_t>(a)], w = s.c[static_cast<std::size_t>(b)];
-          Vec3 x = center_of(v), y = center_of(w);
-          if (a == 0) x -= p;
-          if (b == 0) y -= p;
-          power[a + b] += dot(x, y) - v.w * w.w;
-        }
-      return (k == 1 ? bernstein_roots<2>(power, 0, 1, roots, 1) : bernstein_roots<6>(power, 0, 1, roots, 1)) > 0;
+      const int degree = 2 * s.degree;
+      const Spheres spheres(s, {p, Vec3(0)});
+      double falling[7], roots[6];
+      for (int n = 0; n <= degree; ++n) falling[degree - n] = spheres.k[n];
+      const int count = solve_polynomial(degree, falling, roots, true);
+      return std::any_of(roots, roots + count, [](double u) { return u >= 0 && u <= 1; });
     };
     if (!tree_.empty()) return tree_.any_around(p, covers);
     for (std::size_t i = 0; i < segments_.size(); ++i)

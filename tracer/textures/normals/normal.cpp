@@ -45,7 +45,7 @@ Vec3 bump_map(const ImageLookup& lookup, double amount, const Vec3& p, const Vec
   const Vec3 b = normalize(Vec3(g2 - g3, 2, 2 * g1 - g2 - g3));
   Vec3 x = cross(n, Vec3(0, 1, 0)), y = n;
   if (length(x) < kEpsilon) {
-    y = Vec3(0, n.y < 0 ? -1 : 1, 0);
+    y = Vec3(0, std::fabs(n.y - 1) < kEpsilon ? 1 : -1, 0);  // what is no unit vector turns over
     x = Vec3(1, 0, 0);
   } else {
     x = normalize(x);

@@ -144,8 +144,20 @@ void Hierarchy::sort_by_middle(std::span<Boxed> range, std::size_t axis) {
     keys[i] = std::uint64_t{key} << 32 | i;
   }
   sort_keys(keys);
-  const std::vector<Boxed> unsorted(range.begin(), range.end());
-  for (std::size_t i = 0; i < range.size(); ++i) range[i] = unsorted[keys[i] & 0xffffffffu];
+  // Where they lie, without room for a copy of all: one cycle of exchanges after another.
+  for (std::size_t i = 0; i < range.size(); ++i) {
+    const Boxed first = range[i];
+    for (std::size_t to = i;;) {
+      const std::size_t from = keys[to] & 0xffffffffu;
+      keys[to] = to;
+      if (from == i) {
+        range[to] = first;
+        break;
+      }
+      range[to] = range[from];
+      to = from;
+    }
+  }
 }
 
 // Divides a range by the surface areas of its parts, appends the nodes that it ends in. `areas`: room for one number
@@ -188,7 +200,7 @@ void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vect
   split(range.subspan(best + 1), areas, nodes);
 }
 
-Hierarchy::Hierarchy(std::span<const Item> items) {
+Hierarchy::Hierarchy(std::vector<Item> items) {
   std::vector<Boxed> finite, infinite;
   nodes_.reserve(2 * items.size()), finite.reserve(items.size());
   for (const Item& item : items) {
@@ -199,6 +211,7 @@ Hierarchy::Hierarchy(std::span<const Item> items) {
     (item.infinite ? infinite : finite).push_back({item.bounds, static_cast<std::uint32_t>(nodes_.size())});
     nodes_.push_back(leaf);
   }
+  items = std::vector<Item>();  // before others take memory
   std::vector<double> areas(finite.size());
   std::vector<Boxed> level;
   if (!finite.empty()) split(finite, areas, level);

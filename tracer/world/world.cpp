@@ -315,7 +315,7 @@ const Hierarchy& World::Impl::hierarchy() const {
       const scene::Object& shown = light ? *light->looks_like : *entries[i].object;
       items.push_back({i, shown.bounds, scene::is_infinite(shown)});
     }
-    made_hierarchy = Hierarchy(items);
+    made_hierarchy = Hierarchy(std::move(items));
   });
   return made_hierarchy;
 }

@@ -69,25 +69,25 @@ std::vector<Hierarchy::Waiting>& Hierarchy::Queue::thread_list() {
 void Hierarchy::Queue::push(const Waiting& item) {
   list_.push_back(item);
   Waiting* const heap = list_.data() + begin_;
-  for (std::size_t i = list_.size() - begin_ - 1; i > 0 && heap[i].key < heap[(i - 1) / 2].key; i = (i - 1) / 2)
-    std::swap(heap[i], heap[(i - 1) / 2]);
+  std::size_t i = list_.size() - begin_ - 1;
+  for (std::size_t parent; i > 0 && item.key < heap[parent = (i - 1) / 2].key; i = parent) heap[i] = heap[parent];
+  heap[i] = item;
 }
 
 Hierarchy::Waiting Hierarchy::Queue::pop() {
   Waiting* const heap = list_.data() + begin_;
-  const Waiting top = heap[0];
-  heap[0] = list_.back();
+  const Waiting top = heap[0], last = list_.back();
   list_.pop_back();
   const std::size_t size = list_.size() - begin_;
-  for (std::size_t i = 0;;) {
-    std::size_t child = 2 * i + 1;
-    if (child >= size) break;
+  if (size == 0) return top;
+  std::size_t i = 0;
+  for (std::size_t child; (child = 2 * i + 1) < size; i = child) {
     // Of two equal children the right one is taken.
     if (child + 1 < size && !(heap[child].key < heap[child + 1].key)) ++child;
-    if (!(heap[i].key > heap[child].key)) break;
-    std::swap(heap[i], heap[child]);
-    i = child;
+    if (!(last.key > heap[child].key)) break;
+    heap[i] = heap[child];
   }
+  heap[i] = last;
   return top;
 }
 

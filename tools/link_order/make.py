@@ -2,8 +2,8 @@
 """Which functions scenes use, most used first: tools/link_order/make.py PROGRAM [EXAMPLES] > tools/link_order/functions.txt
 
 The linker puts these functions beside each other (cmake/LinkOrder.cmake). The kernel maps a program's file by 64 kB around each address that is asked for:
-scattered over twelve megabytes, the one megabyte that a scene uses brings six into memory, together it brings three. Runs small pictures of some sixty scenes
-of povray-examples under valgrind's callgrind (two minutes). Names that no longer exist are harmless; made again with each release.
+scattered over twelve megabytes, the one megabyte that a scene uses brings six into memory, together it brings three. Runs small pictures of some hundred and twenty scenes
+of povray-examples under valgrind's callgrind (four minutes). Names that no longer exist are harmless; made again with each release.
 """
 import collections
 import os
@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 EXAMPLES = "/usr/share/doc/povray/examples"
-SCENES = 64
+SCENES = 120
 MOST_SECONDS = 30  # scenes that take longer are left out
 LONGEST_NAME = 250  # longer ones end in a star: the beginning of such a name tells it from all but its likes
 SIZE = ["+W40", "+H30", "-A", "+WT2", "-D"]
@@ -25,7 +25,7 @@ OTHER_SETS = [("6N_AVX2", "6N_AVX3"), ("4avx2", "6avx512")]
 def functions_used(program, scene, folder):
     """The names of the functions that a picture of the scene calls; None: it takes too long, or fails."""
     profile = pathlib.Path(folder) / "profile"
-    command = ["valgrind", "--tool=callgrind", "--demangle=no", f"--callgrind-out-file={profile}", program, f"+I{scene.name}",
+    command = ["valgrind", "--tool=callgrind", "--demangle=no", f"--callgrind-out-file={profile}", program, scene.name,
                f"+O{folder}/picture.png", *SIZE]
     try:
         done = subprocess.run(command, cwd=scene.parent, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -66,7 +66,7 @@ def main():
     ours = functions_by_place(program)
     listed = {}
     for name, count in used.most_common():
-        if name not in ours or count < 2:
+        if name not in ours:
             continue
         for alias in ours[name]:
             listed.setdefault(pattern(alias), count)

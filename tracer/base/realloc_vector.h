@@ -2,8 +2,12 @@
 // millions that nothing else is allocated beside.
 #pragma once
 
+#include <sys/mman.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <span>
@@ -49,20 +53,51 @@ class ReallocVector {
   void set_capacity(std::size_t count) {
     if (count == 0) return;
     if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
-    void* const moved = std::realloc(data_.get(), count * sizeof(T));
-    if (!moved) throw std::bad_alloc();
-    static_cast<void>(data_.release());  // realloc has freed it
-    data_.reset(static_cast<T*>(moved));
+    void* const moved = resized(data_.get(), capacity_ * sizeof(T), count * sizeof(T));
+    static_cast<void>(data_.release());  // it is freed
+    data_ = Data(static_cast<T*>(moved), Free{count * sizeof(T)});
     capacity_ = count;
   }
 
  private:
   static constexpr std::size_t kFirst = 256;
-  struct Free {
-    void operator()(T* p) const { std::free(p); }
-  };
+  // Blocks of so many bytes have pages of their own, which the kernel moves to where there is room for more: several
+  // lists that grow side by side on the heap would have to be copied past each other, again and again.
+  static constexpr std::size_t kOwnPages = std::size_t{1} << 20;
 
-  std::unique_ptr<T, Free> data_;
+  struct Free {
+    std::size_t bytes = 0;
+    void operator()(T* p) const {
+      if (bytes < kOwnPages)
+        std::free(p);
+      else
+        ::munmap(p, bytes);
+    }
+  };
+  using Data = std::unique_ptr<T, Free>;
+
+  static void* resized(void* old, std::size_t old_bytes, std::size_t bytes) {
+    const bool had_pages = old && old_bytes >= kOwnPages, wants_pages = bytes >= kOwnPages;
+    if (!had_pages && !wants_pages) {
+      void* const block = std::realloc(old, bytes);
+      return block ? block : throw std::bad_alloc();
+    }
+    void* block;
+    if (had_pages && wants_pages) {
+      block = ::mremap(old, old_bytes, bytes, MREMAP_MAYMOVE);
+    } else {
+      block = wants_pages ? ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
+                          : std::malloc(bytes);
+    }
+    if (!block || block == MAP_FAILED) throw std::bad_alloc();
+    if (had_pages != wants_pages && old) {
+      std::memcpy(block, old, std::min(old_bytes, bytes));
+      Free{old_bytes}(static_cast<T*>(old));
+    }
+    return block;
+  }
+
+  Data data_;
   std::size_t size_ = 0, capacity_ = 0;
 };
 

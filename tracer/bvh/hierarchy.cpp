@@ -50,25 +50,25 @@ std::vector<Hierarchy::Waiting>& Hierarchy::Queue::thread_list() {
 void Hierarchy::Queue::push(const Waiting& item) {
   list_.push_back(item);
   Waiting* const heap = list_.data() + begin_;
-  for (std::size_t i = list_.size() - begin_ - 1; i > 0 && heap[i].key < heap[(i - 1) / 2].key; i = (i - 1) / 2)
-    std::swap(heap[i], heap[(i - 1) / 2]);
+  std::size_t i = list_.size() - begin_ - 1;
+  for (std::size_t parent; i > 0 && item.key < heap[parent = (i - 1) / 2].key; i = parent) heap[i] = heap[parent];
+  heap[i] = item;
 }
 
 Hierarchy::Waiting Hierarchy::Queue::pop() {
   Waiting* const heap = list_.data() + begin_;
-  const Waiting top = heap[0];
-  heap[0] = list_.back();
+  const Waiting top = heap[0], last = list_.back();
   list_.pop_back();
   const std::size_t size = list_.size() - begin_;
-  for (std::size_t i = 0;;) {
-    std::size_t child = 2 * i + 1;
-    if (child >= size) break;
+  if (size == 0) return top;
+  std::size_t i = 0;
+  for (std::size_t child; (child = 2 * i + 1) < size; i = child) {
     // Of two equal children the right one is taken.
     if (child + 1 < size && !(heap[child].key < heap[child + 1].key)) ++child;
-    if (!(heap[i].key > heap[child].key)) break;
-    std::swap(heap[i], heap[child]);
-    i = child;
+    if (!(last.key > heap[child].key)) break;
+    heap[i] = heap[child];
   }
+  heap[i] = last;
   return top;
 }
 
@@ -125,8 +125,20 @@ void Hierarchy::sort_by_middle(std::span<Boxed> range, std::size_t axis) {
     keys[i] = std::uint64_t{key} << 32 | i;
   }
   sort_keys(keys);
-  const std::vector<Boxed> unsorted(range.begin(), range.end());
-  for (std::size_t i = 0; i < range.size(); ++i) range[i] = unsorted[keys[i] & 0xffffffffu];
+  // Where they lie, without room for a copy of all: one cycle of exchanges after another.
+  for (std::size_t i = 0; i < range.size(); ++i) {
+    const Boxed first = range[i];
+    for (std::size_t to = i;;) {
+      const std::size_t from = keys[to] & 0xffffffffu;
+      keys[to] = to;
+      if (from == i) {
+        range[to] = first;
+        break;
+      }
+      range[to] = range[from];
+      to = from;
+    }
+  }
 }
 
 // Divides a range by the surface areas of its parts, appends the nodes that it ends in. `areas`: room for one number
@@ -170,7 +182,7 @@ void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vect
   split(range.subspan(best + 1), areas, nodes);
 }
 
-Hierarchy::Hierarchy(std::span<const Item> items) {
+Hierarchy::Hierarchy(std::vector<Item> items) {
   std::vector<Boxed> finite, infinite;
   nodes_.reserve(2 * items.size()), finite.reserve(items.size());
   for (const Item& item : items) {
@@ -181,6 +193,7 @@ Hierarchy::Hierarchy(std::span<const Item> items) {
     (item.infinite ? infinite : finite).push_back({item.bounds, static_cast<std::uint32_t>(nodes_.size())});
     nodes_.push_back(leaf);
   }
+  items = std::vector<Item>();  // before others take memory
   std::vector<double> areas(finite.size());
   std::vector<Boxed> level;
   if (!finite.empty()) split(finite, areas, level);

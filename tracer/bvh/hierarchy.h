@@ -27,7 +27,7 @@ class Hierarchy {
     bool infinite;
   };
   Hierarchy() = default;
-  explicit Hierarchy(std::span<const Item> items);
+  explicit Hierarchy(std::vector<Item> items);
 
   // Calls visit(entry) for entries in POV-Ray's order; it returns the distance of the best hit so far, initially
   // `best`.

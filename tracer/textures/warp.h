@@ -28,9 +28,9 @@ using CubicStep = scene::CubicWarp;
 using WarpStep = std::variant<AffineStep, const TurbulenceStep*, RepeatStep, BlackHoleStep, ProjectionStep, CubicStep>;
 // Most chains are one transformation or none; that is applied without a look at the rest.
 struct WarpChain {
-  bool transforms = false;
   AffineStep first;
   std::vector<WarpStep> rest;
+  bool transforms = false;
 };
 
 // Octaves within what POV-Ray allows, single precision values widened; equal ones are one.

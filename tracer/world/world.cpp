@@ -107,7 +107,7 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     return;
   }
   static const scene::Interior kNoInterior;
-  Surface& s = surfaces.emplace_back();
+  Surface& s = surfaces.add();
   s.object = &o;
   s.texture = o.texture ? compiler.texture(o.texture) : nullptr;
   s.interior_texture = o.interior_texture ? compiler.texture(o.interior_texture) : nullptr;
@@ -315,7 +315,7 @@ const Hierarchy& World::Impl::hierarchy() const {
       const scene::Object& shown = light ? *light->looks_like : *entries[i].object;
       items.push_back({i, shown.bounds, scene::is_infinite(shown)});
     }
-    made_hierarchy = Hierarchy(items);
+    made_hierarchy = Hierarchy(std::move(items));
   });
   return made_hierarchy;
 }
@@ -362,21 +362,26 @@ void World::enter(const Shaft& shaft, WorldEntry& entry) const {
   const Impl& w = *impl_;
   entry.last_blocker = WorldEntry::kNoBlocker;
   w.tree.enter(shaft, entry.points);
-  entry.inner.clear();
-  bool opaque = entry.points.complete;
-  for (int n = 0; n < entry.points.count; ++n) {
-    const BoxNode& node = entry.points.nodes[n];
-    for (int k = 0; k < 4; ++k) {
-      if (!(node.child[k] & BoxNode::kLeaf)) continue;  // a subtree; or none, the last node may not be full
-      const std::uint32_t index = BoxNode::leaf_first(node.child[k]);
-      const Candidate& c = w.bounded[index];
-      opaque = opaque && w.seems_opaque(c.entry, shaft);
-      if (!c.has_tree) continue;
-      WorldEntry::Inner& inner = entry.inner.emplace_back();
-      inner.candidate = index;
-      if (!c.shape->enter(shaft, inner.points)) entry.inner.pop_back();
+  const auto each_candidate = [&](auto&& visit) {
+    for (int n = 0; n < entry.points.count; ++n) {
+      for (const std::uint32_t child : entry.points.nodes[n].child) {
+        // Others are subtrees; or none, the last node may not be full.
+        if (child & BoxNode::kLeaf) visit(BoxNode::leaf_first(child));
+      }
     }
-  }
+  };
+  std::size_t trees = 0;
+  each_candidate([&](std::uint32_t index) { trees += w.bounded[index].has_tree; });
+  entry.inner.clear(), entry.inner.reserve(trees);  // they are large, and slots keep them
+  bool opaque = entry.points.complete;
+  each_candidate([&](std::uint32_t index) {
+    const Candidate& c = w.bounded[index];
+    opaque = opaque && w.seems_opaque(c.entry, shaft);
+    if (!c.has_tree) return;
+    WorldEntry::Inner& inner = entry.inner.emplace_back();
+    inner.candidate = index;
+    if (!c.shape->enter(shaft, inner.points)) entry.inner.pop_back();
+  });
   for (const std::uint32_t i : w.unbounded) opaque = opaque && w.seems_opaque(i, shaft);
   for (const Surrounding& s : w.around)
     opaque = opaque &&

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -129,6 +131,24 @@ struct Enclosure {
   shapes::InteriorProxy proxy;
 };
 
+// Surfaces by number, which stay where they are: in pieces that fit into the gaps which reading a scene leaves on the
+// heap, where objects had transformations for a while.
+class SurfaceList {
+ public:
+  Surface& add() {
+    if (size_ % kPiece == 0) pieces_.push_back(std::make_unique<Piece>());
+    return (*this)[size_++];
+  }
+  std::size_t size() const { return size_; }
+  Surface& operator[](std::size_t i) { return (*pieces_[i / kPiece])[i % kPiece]; }
+
+ private:
+  static constexpr std::size_t kPiece = 3;
+  using Piece = std::array<Surface, kPiece>;
+  std::vector<std::unique_ptr<Piece>> pieces_;
+  std::size_t size_ = 0;
+};
+
 struct World::Impl {
   std::vector<Entry> entries;
   std::vector<scene::ObjectPtr> letters;  // of texts: entries that the scene does not have
@@ -145,7 +165,7 @@ struct World::Impl {
   std::vector<Box3> deep_boxes;
   Bvh deep_tree;
   shapes::BoxSet few;  // its boxes, if they are so few that a single ray finds them sooner without it
-  std::deque<Surface> surfaces;
+  SurfaceList surfaces;
   std::deque<Surface::Rest> surface_rests;
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;

@@ -30,7 +30,7 @@ class ChildIndex {
       take_few();
     else
       tree_ = std::make_unique<const accel::Bvh>(boxes_);
-    boxes_ = {};
+    boxes_ = std::vector<Box3>();
   }
   // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
   template <class Visit>

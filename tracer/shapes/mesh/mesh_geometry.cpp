@@ -136,7 +136,7 @@ const accel::Hierarchy& MeshGeometry::hierarchy() const {
       for (const std::uint32_t v : source(place).vertex) box.extendBy(f32(data_->vertices[v]));
       items.push_back({place, scene::make_bounds(box.min, box.max), false});
     }
-    hierarchy_ = accel::Hierarchy(items);
+    hierarchy_ = accel::Hierarchy(std::move(items));
   });
   return hierarchy_;
 }

@@ -78,8 +78,8 @@ class Box final : public KernelPrimitive<Box> {
             .b = high_};
   }
 
+  bool turned_ = false;  // before the others: in a gap of the base
   Vec3 low_, high_;
-  bool turned_ = false;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ class CompiledCache {
     const Compiled* const compiled = make();  // may compile others
     if (2 * (kept_.size() + 1) > slots_.size()) grow();
     *slot(description.get(), no_bump_scale) = static_cast<std::uint32_t>(kept_.size());
-    kept_.push_back({description, compiled, no_bump_scale});
+    kept_.push_back({description, compiled}), no_bump_scale_.push_back(no_bump_scale);
     return compiled;
   }
   const Compiled* add(Compiled compiled) { return &store_.emplace_back(std::move(compiled)); }
@@ -32,7 +32,6 @@ class CompiledCache {
   struct Entry {
     Ptr description;
     const Compiled* compiled;
-    bool no_bump_scale;
   };
 
   // Where the number of a description is, or is to be.
@@ -43,18 +42,18 @@ class CompiledCache {
     for (;; ++place) {
       std::uint32_t& number = slots_[place & mask];
       if (number == kFree) return &number;
-      const Entry& entry = kept_[number];
-      if (entry.description.get() == description && entry.no_bump_scale == no_bump_scale) return &number;
+      if (kept_[number].description.get() == description && no_bump_scale_[number] == no_bump_scale) return &number;
     }
   }
   void grow() {
     slots_.assign(2 * slots_.size(), kFree);
     for (std::size_t i = 0; i < kept_.size(); ++i)
-      *slot(kept_[i].description.get(), kept_[i].no_bump_scale) = static_cast<std::uint32_t>(i);
+      *slot(kept_[i].description.get(), no_bump_scale_[i]) = static_cast<std::uint32_t>(i);
   }
 
   std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kFree);  // a power of two, at most half of it used
   std::deque<Entry> kept_;
+  std::vector<bool> no_bump_scale_;  // of each
   std::deque<Compiled> store_;
 };
 

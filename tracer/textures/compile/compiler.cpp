@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "tracer/functions/function.h"
@@ -46,7 +47,7 @@ struct Compiler::Impl {
   CompiledCache<scene::Density, CompiledPigment> densities;
   CompiledCache<scene::Normal, CompiledNormal> normals;
   std::unordered_map<SolidColor, const CompiledPigment*, EqualTexturesHash> solid_colors;
-  std::unordered_map<SingleLayer, const CompiledTexture*, EqualTexturesHash> single_layers;
+  std::unordered_set<const CompiledTexture*, EqualTexturesHash, EqualLayers> single_layers;
   std::unordered_map<PlainNormal, const CompiledNormal*, EqualTexturesHash> plain_normals;
   std::unordered_map<std::string, ColorTable> color_tables;  // by the bytes of their maps
   TurbulenceTable turbulences;
@@ -148,11 +149,8 @@ const CompiledPigment* Compiler::Impl::share(CompiledPigment c) {
 
 const CompiledTexture* Compiler::Impl::share(CompiledTexture c) {
   if (c.layers.size() != 1) return textures.add(std::move(c));
-  const CompiledLayer& layer = c.layers[0];
-  const CompiledTexture*& known =
-      single_layers[SingleLayer{layer.pigment, layer.normal, &layer.finish, c.no_bump_scale}];
-  if (!known) known = textures.add(std::move(c));
-  return known;
+  if (const auto known = single_layers.find(&c); known != single_layers.end()) return *known;
+  return *single_layers.insert(textures.add(std::move(c))).first;
 }
 
 const CompiledNormal* Compiler::Impl::share(CompiledNormal c) {

@@ -20,14 +20,12 @@ struct SolidColor {
   explicit SolidColor(const Color& c) : bits(std::bit_cast<std::array<std::uint32_t, 5>>(c)) {}
   friend bool operator==(const SolidColor&, const SolidColor&) = default;
 };
-struct SingleLayer {
-  const CompiledPigment* pigment;
-  const CompiledNormal* normal;
-  const scene::Finish* finish;
-  bool no_bump_scale;
-  friend bool operator==(const SingleLayer& a, const SingleLayer& b) {
-    return a.pigment == b.pigment && a.normal == b.normal && a.no_bump_scale == b.no_bump_scale &&
-           (a.finish == b.finish || *a.finish == *b.finish);
+// Of textures of one layer.
+struct EqualLayers {
+  bool operator()(const CompiledTexture* s, const CompiledTexture* t) const {
+    const CompiledLayer &a = s->layers[0], &b = t->layers[0];
+    return a.pigment == b.pigment && a.normal == b.normal && s->no_bump_scale == t->no_bump_scale &&
+           a.finish == b.finish;
   }
 };
 // A normal without maps.
@@ -54,9 +52,11 @@ struct EqualTexturesHash {
     const std::size_t seed = mix(mix(normal.no_bump_scale, normal.pattern), normal.amount);
     return seed ^ seed >> 32;
   }
-  std::size_t operator()(const SingleLayer& layer) const {
-    const scene::Finish& f = *layer.finish;
-    std::size_t seed = mix(mix(layer.no_bump_scale, layer.pigment), layer.normal);
+  // Of a texture of one layer. It throws nothing, so that a table need not keep it.
+  std::size_t operator()(const CompiledTexture* texture) const noexcept {
+    const CompiledLayer& layer = texture->layers[0];
+    const scene::Finish& f = layer.finish;
+    std::size_t seed = mix(mix(texture->no_bump_scale, layer.pigment), layer.normal);
     for (const float part : {f.ambient.r, f.diffuse, f.phong, f.specular, f.reflection.maximum.r})
       seed = mix(seed, part);
     return seed ^ seed >> 32;

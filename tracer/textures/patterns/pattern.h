@@ -66,6 +66,7 @@ using PatternData = DistinctVariant<scene::PatternParams, BrickData, CrackleData
                                     TilingData, PavementData, ObjectData, PigmentData, ImageLookup, WaveData>;
 
 struct CompiledPattern {
+  WarpChain chain;
   scene::PatternKind kind = scene::PatternKind::none;
   scene::Wave wave = scene::Wave::ramp;
   int noise_generator = 2;
@@ -74,7 +75,6 @@ struct CompiledPattern {
   bool turbulent = false;   // turbulence was written
   // The classic record, as the formulas of agate, marble, wood and spirals use it.
   const TurbulenceStep* turbulence = &no_turbulence();
-  WarpChain chain;
   // The transformations alone, in order of evaluation: what happens to normals. Where one asks for it.
   std::vector<Transform> frame;
   PatternData data;

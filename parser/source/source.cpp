@@ -82,9 +82,11 @@ void Source::index_lines(std::size_t up_to) const {
     i = stop;
   }
   while (i < size_ && i <= up_to) {
-    only_feeds_ = false;
     const std::size_t next = after_line_end(i);
-    if (next) add_line(next);
+    if (next) {
+      add_line(next);
+      if (p[next - 1] != '\n') lines_end_in_feeds_ = false;
+    }
     i = next ? next : i + 1;
   }
   indexed_ = std::max(indexed_, i);
@@ -96,7 +98,7 @@ Position Source::position(std::size_t offset) const {
   const auto block = std::upper_bound(starts_.begin(), starts_.end(), offset) - 1;
   std::size_t index = static_cast<std::size_t>(block - starts_.begin()) * kStep, start = *block;
   const auto next_line = [&]() -> std::size_t {  // 0: it begins after the offset
-    if (only_feeds_) {
+    if (lines_end_in_feeds_) {
       const char* const p = bytes_.get();
       const void* const feed = std::memchr(p + start, '\n', offset - start);
       return feed ? static_cast<std::size_t>(static_cast<const char*>(feed) - p) + 1 : 0;

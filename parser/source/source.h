@@ -49,7 +49,7 @@ class Source {
   mutable std::vector<std::uint64_t> starts_{0};  // of lines 1, 1 + kStep, 1 + 2 kStep ...
   mutable std::size_t lines_ = 1;                 // whose beginnings have been met
   mutable std::size_t indexed_ = 0;               // bytes looked at
-  mutable bool lines_end_in_feeds_ = true;        // all that have ended: the last byte of each end, and nothing else, is one
+  mutable bool lines_end_in_feeds_ = true;  // all that have ended: the last byte of each end, and nothing else, is one
 };
 
 }  // namespace verisim::parser

@@ -53,7 +53,7 @@ class SuperellipsoidSearch {
     // Those that enter in this interval; those that are inside at its end; those that leave.
     unsigned enters = 0, within = 0, leaves = 0;
     each_lane(lanes, [&](int k) {
-      const bool begins_outside = a[k].value >= kZero, begins_inside = a[k].value <= -kZero;
+      const bool begins_outside = a[k].value >= kZero, begins_inside = well_inside(a[k]);
       if (begins_outside && b[k].value <= -kZero)
         enters |= 1u << k, within |= 1u << k, entries[k] = Root(a[k], b[k], convex());
       else if (begins_inside && b[k].value <= -kZero)
@@ -229,11 +229,11 @@ class SuperellipsoidSearch {
       const Sample b = sample(l, knots.here());
       if (std::fabs(b.value) < kZero) {
         if (report(knots.here())) return;
-      } else if (std::fabs(a.value) >= kZero) {
+      } else {
         double t;
         if (opposite(a, b)) {
-          if (report(refined(l, a, b))) return;
-        } else if (a.value > 0 && grazing_entry(l, knots.before(), a, knots.here(), t)) {
+          if (report(std::fabs(a.value) < kZero ? length(a.p - l.origin) : refined(l, a, b))) return;
+        } else if (!opposite(a, b) && !well_inside(a) && grazing_entry(l, knots.before(), a, knots.here(), t)) {
           if (report(t)) return;
         }
       }
@@ -300,6 +300,7 @@ class SuperellipsoidSearch {
       const Sample here = sample(l, entry);
       const double f = here.value;
       if (std::fabs(f) < kZero) return true;
+      if (a.value < 0) return false;
       if (f < 0) {  // only where the norms are not convex
         entry = refined(l, sample(l, t0), here);
         return true;

@@ -16,6 +16,7 @@
 #include "tracer/simd/each_target.h"
 
 #include "tracer/simd/kernel_table.h"
+#include "tracer/photons/photon_loads-inl.h"
 #include "tracer/simd/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,12 +26,10 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
 constexpr std::size_t kAtOnce = kPhotonsAtOnce, kEight = kLanes;
 // Times the wanted number of photons is when the nearest are picked out, and the search narrowed.
 constexpr std::size_t kCrowd = 3;
 
-using Words = BasicPacket<std::uint32_t, kLanes>;
 alignas(64) constexpr std::uint32_t kNumbers[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 // compress(), for AVX2 by a table of whole orders: Highway 1.0.3 computes them from bits, and optics.pov of
@@ -66,52 +65,6 @@ HWY_INLINE void pack(unsigned which, const P& a, T* to) {
 
 // 1 where the mask is set, elsewhere 0.
 HWY_INLINE Words ones(const FloatPacket::Mask& mask) { return select(mask, Words(1u), Words(0u)); }
-
-// Of eight photons that lie one after another. Highway's way takes twice the instructions.
-#if HWY_TARGET == HWY_AVX3
-HWY_INLINE void load_positions(const PhotonPosition* from, FloatPacket& x, FloatPacket& y, FloatPacket& z) {
-  const float* const p = from->data();
-  const __m512 low = _mm512_loadu_ps(p), high = _mm512_castps256_ps512(_mm256_loadu_ps(p + 16));
-  const auto every_third = [&](int first) {
-    const __m512i places = _mm512_add_epi32(_mm512_set1_epi32(first),
-                                            _mm512_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21, 0, 0, 0, 0, 0, 0, 0, 0));
-    return hn::Vec<FloatPacket::D>{_mm512_castps512_ps256(_mm512_permutex2var_ps(low, places, high))};
-  };
-  x.v[0] = every_third(0), y.v[0] = every_third(1), z.v[0] = every_third(2);
-}
-#elif HWY_TARGET == HWY_AVX2
-HWY_INLINE void load_positions(const PhotonPosition* from, FloatPacket& x, FloatPacket& y, FloatPacket& z) {
-  const float* const p = from->data();
-  const __m256 a = _mm256_loadu_ps(p), b = _mm256_loadu_ps(p + 8), c = _mm256_loadu_ps(p + 16);
-  // Three and eight have no common divisor, so that all numbers of a coordinate are in different lanes.
-  constexpr int k036 = 0b01001001, k147 = 0b10010010, k25 = 0b00100100;
-  const __m256i order = _mm256_setr_epi32(0, 3, 6, 1, 4, 7, 2, 5);
-  const auto turned = [&](int by) { return _mm256_add_epi32(order, _mm256_set1_epi32(by)); };  // modulo 8
-  x.v[0].raw = _mm256_permutevar8x32_ps(_mm256_blend_ps(_mm256_blend_ps(a, b, k147), c, k25), order);
-  y.v[0].raw = _mm256_permutevar8x32_ps(_mm256_blend_ps(_mm256_blend_ps(a, b, k25), c, k036), turned(1));
-  z.v[0].raw = _mm256_permutevar8x32_ps(_mm256_blend_ps(_mm256_blend_ps(a, b, k036), c, k147), turned(2));
-}
-#else
-HWY_INLINE void load_positions(const PhotonPosition* from, FloatPacket& x, FloatPacket& y, FloatPacket& z) {
-  constexpr int kVectors = FloatPacket::kVectors;
-  const float* const p = from->data();
-  VERISIM_EACH_VECTOR hn::LoadInterleaved3(FloatPacket::D(), p + 3 * i * FloatPacket::kLanes, x.v[i], y.v[i], z.v[i]);
-}
-#endif
-
-HWY_INLINE FloatPacket overhang_of(const PhotonOverhangs& overhangs, const Words& photons) {
-  static_assert(std::endian::native == std::endian::little);
-  constexpr int kVectors = Words::kVectors;
-  const auto* const levels = reinterpret_cast<const std::uint32_t*>(overhangs.levels.data());
-  const hn::RebindToSigned<Words::D> places;
-  Words level;
-  VERISIM_EACH_VECTOR level.v[i] = hn::GatherOffset(Words::D(), levels, hn::BitCast(places, photons.v[i]));
-  level = level & Words(0xffu);
-  FloatPacket over;
-  const Words bits = shift_left<PhotonOverhangs::kShift>(level + Words(overhangs.base));
-  VERISIM_EACH_VECTOR over.v[i] = hn::BitCast(FloatPacket::D(), bits.v[i]);
-  return select(level == Words(0u), FloatPacket(-kInfiniteFloat), over);
-}
 
 // Bit i: box i of eight is nearer to the point than the square root of `squared`, or as near.
 HWY_INLINE unsigned near_boxes(const PhotonBoxes& boxes, std::size_t first, const std::array<float, 3>& point,

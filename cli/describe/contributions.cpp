@@ -76,8 +76,11 @@ void Contributions::rays_added(const Rgb& seen) {
   };
   const char* way = rays.back().reflected ? "reflection" : "transparency";
   for (const Frame& ray : rays)
-    for (const auto& [key, term] : ray.terms)
-      if (key.first != way) add(key.first, key.second, scaled(term));
+    for (const auto& [key, term] : ray.terms) {
+      if (key.first == way || key.first == "light elsewhere") continue;
+      add(key.first, key.second, scaled(term));
+      if (key.first == "light") add("light elsewhere", key.second, scaled(term));
+    }
   add(way, "", added);
 }
 

@@ -104,6 +104,14 @@ int TagWitness::take() {
   const auto [it, added] = set_index_.try_emplace(now_, static_cast<int>(tags_.sets.size()));
   if (added) tags_.sets.emplace_back(now_.begin(), now_.end());
   parts_.take();
+  const auto append = [](std::vector<float>& list, double x, double y, double z) {
+    list.insert(list.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
+  };
+  const Surface s = seen_.value_or(Surface());
+  append(tags_.surfaces.point, s.point.x, s.point.y, s.point.z);
+  append(tags_.surfaces.normal, s.normal.x, s.normal.y, s.normal.z);
+  append(tags_.surfaces.diffuse, s.diffuse.r, s.diffuse.g, s.diffuse.b);
+  seen_.reset();
   now_.clear();
   depth_ = gathering_ = 0;
   return it->second;
@@ -156,6 +164,7 @@ void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hi
   ++depth_;
   if (ray.gather && gathering_ == 0) gathering_ = depth_;
   if (gathering_) return;
+  const scene::Object* const seen = hit && hit->shape->surface ? hit->shape->surface->object : nullptr;
   if (depth_ == 1 && world_)
     for (const scene::Object* object : world_->passed(ray.ray, ray.kind(), hit ? hit->t : HUGE_VAL))
       add("passed object", with_place(*object));
@@ -166,8 +175,7 @@ void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hi
     return;
   }
   if (world_) describe_coincidence(ray, hit->t);
-  if (const shapes::Surface* surface = hit->shape->surface; surface && surface->object)
-    describe(*surface->object, depth_ == 1, ray);
+  if (seen) describe(*seen, depth_ == 1, ray);
 }
 
 void TagWitness::ray_ended(const shading::RayState& ray, const Color& color) {
@@ -178,7 +186,10 @@ void TagWitness::ray_ended(const shading::RayState& ray, const Color& color) {
 
 void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) {
   parts_.layer(at, layer, reflectivity);
-  if (!gathering_ && depth_ == 1 && at.inside_hit) add("feature", "a surface seen from inside");
+  if (gathering_ || depth_ != 1) return;
+  if (at.inside_hit) add("feature", "a surface seen from inside");
+  if (!seen_) seen_ = Surface{at.hit.point, layer.normal, {}};
+  seen_->diffuse += layer.filter * layer.pigment.rgb() * (layer.opacity * layer.layer.finish.diffuse);
 }
 
 void TagWitness::indirect(const char* effect, const Rgb& light) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -54,6 +55,11 @@ class TagWitness : public shading::Observer {
   std::unordered_map<const scene::Object*, std::vector<std::pair<std::string, std::string>>>
       words_;  // of objects met before
   std::set<int> now_;
+  struct Surface {
+    Vec3 point{0.0}, normal{0.0};
+    Rgb diffuse;
+  };
+  std::optional<Surface> seen_;  // of this pixel, by the camera's ray
   int depth_ = 0, gathering_ = 0;
 };
 

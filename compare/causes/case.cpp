@@ -139,7 +139,7 @@ Mask Case::pixels_with(const PixelTags& t, const std::function<bool(const PixelT
   return out;
 }
 
-Pixels Case::light_of(const PixelTags& t, const PixelTags::Part& part) const {
+Pixels Case::numbers_of(const PixelTags& t, const std::vector<float>& numbers) const {
   Pixels out(size());
   const int columns = (t.width + t.step - 1) / t.step;
   for (std::size_t i = 0; i < size(); ++i) {
@@ -147,7 +147,7 @@ Pixels Case::light_of(const PixelTags& t, const PixelTags::Part& part) const {
               y = static_cast<int>(i / static_cast<std::size_t>(width)) * reduced;
     const auto at = 3 * (static_cast<std::size_t>(y / t.step) * static_cast<std::size_t>(columns) +
                          static_cast<std::size_t>(x / t.step));
-    if (at + 2 < part.light.size()) out[i] = {part.light[at], part.light[at + 1], part.light[at + 2]};
+    if (at + 2 < numbers.size()) out[i] = {numbers[at], numbers[at + 1], numbers[at + 2]};
   }
   return out;
 }
@@ -186,6 +186,18 @@ double part_of_wrong(const Case& c, const Mask& mask) {
   std::size_t with = 0;
   for (std::size_t i = 0; i < c.size(); ++i) with += mask[i] && c.wrong[i];
   return c.wrong_count > 0 ? static_cast<double>(with) / static_cast<double>(c.wrong_count) : 0;
+}
+
+std::string owner_of(const Case& c, const PixelTags& tags, const Mask& mask) {
+  constexpr double kNearlyAll = 0.95;
+  const auto count = [](const Mask& m) { return static_cast<double>(std::count(m.begin(), m.end(), 1)); };
+  for (const PixelTags::Tag& tag : tags.tags) {
+    if (tag.kind != "object") continue;
+    Mask both = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
+    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && mask[i];
+    if (count(both) > kNearlyAll * count(mask)) return tag.name;
+  }
+  return "";
 }
 
 Mask directly_seen(const Case& c, const PixelTags& tags) {

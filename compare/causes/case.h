@@ -67,8 +67,8 @@ class Case {
   // The index of the tags' set that pixel i belongs to; -1: none.
   int set_of(const PixelTags& tags, std::size_t i) const;
   Mask pixels_with(const PixelTags& tags, const std::function<bool(const PixelTags::Tag&)>& wanted) const;
-  // The part's light at every pixel.
-  Pixels light_of(const PixelTags& tags, const PixelTags::Part& part) const;
+  // Three numbers of every pixel, of a part's light or of surfaces; zeros where there are none.
+  Pixels numbers_of(const PixelTags& tags, const std::vector<float>& numbers) const;
 
  private:
   PixelRuns full_size(const Mask& mask) const;
@@ -83,6 +83,8 @@ Mask dilated(const Case& c, const Mask& mask, int radius);
 double share_of(const Case& c, const Mask& mask);       // of the squared difference
 double part_of_right(const Case& c, const Mask& mask);  // how many of the pixels that are not wrong
 double part_of_wrong(const Case& c, const Mask& mask);
+// "sphere (s.pov:3)", which shows nearly all of the mask; empty: several do.
+std::string owner_of(const Case& c, const PixelTags& tags, const Mask& mask);
 // Pixels that show one surface, or none: what is wrong in a mirror or behind glass may have its cause anywhere. All,
 // where few of the wrong ones are such.
 Mask directly_seen(const Case& c, const PixelTags& tags);

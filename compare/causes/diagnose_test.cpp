@@ -376,6 +376,39 @@ TEST(Diagnose, ALightThatOnlyTheTestHas) {
   EXPECT_THAT(stronger[0].detail, testing::ContainsRegex("(99|100).[0-9] % more"));
 }
 
+// The test's fog is 1.4 times as dense as the reference's.
+TEST(Diagnose, FogOfAnotherDensity) {
+  PixelTags tags = with_tag("object", "plane (s.pov:1)");
+  PixelTags::Part fog{"fog", "", {}}, own{"own light", "ambient and emission", {}};
+  constexpr float kColor[3] = {0.6f, 0.7f, 0.8f};
+  const auto passed = [](int x, double density) { return x >= 90 ? 0.0 : std::exp(-density * 0.02 * (x + 5)); };
+  const auto behind = [](int x, int y, int c) { return 0.3 + 0.2 * std::sin(x / 5.0 + c) * std::cos(y / 7.0); };
+  for (int i = 0; i < 96 * 72; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double t = passed(i % 96, 1.4);
+      fog.light.push_back(static_cast<float>((1 - t) * kColor[c]));
+      own.light.push_back(static_cast<float>(t * behind(i % 96, i / 96, c)));
+    }
+  tags.parts = {fog, own};
+  const auto picture = [&](double density) {
+    return picture_of(96, 72, [&](int x, int y, int c) {
+      const double t = passed(x, density);
+      return std::round(255 * linear_to_srgb(t * behind(x, y, c) + (1 - t) * kColor[c]));
+    });
+  };
+  const std::vector<Suspicion> all = diagnose(picture(1), picture(1.4), nullptr, &tags);
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all[0].what, "fog") << all[0].detail;
+  EXPECT_THAT(all[0].detail, testing::ContainsRegex("1.(39|40|41) times as dense"));
+}
+
+// The sky that only mirrors show.
+TEST(Diagnose, TheSkyInMirrorsIsTheBackground) {
+  PixelTags tags = with_tag("secondary object", "sky or background by a secondary ray");
+  tags.tags.push_back({"feature", "reflection"}), tags.sets = {{0}, {1, 2}};
+  EXPECT_EQ(first_with(darker_where([](int x, int) { return x >= 10 && x < 40; }), tags), "background");
+}
+
 // A texture of one object is told with it; a shape of which there is one is told as that object.
 TEST(Diagnose, WhatOneObjectHasIsToldWithIt) {
   PixelTags tags = with_tag("copy", "sphere (s.pov:2)");

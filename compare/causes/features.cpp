@@ -46,17 +46,20 @@ Mask bright(const Pixels& light) {
   return out;
 }
 
-// An effect says more than where it is seen: photons, radiosity, subsurface.
-constexpr double kEffect = 0.85, kOther = 0.65;
+// An effect says more than where it is seen: photons, radiosity, subsurface. A texture of one object says more than
+// that it is this object's surface; the sky in mirrors, more than that there are mirrors.
+constexpr double kEffect = 0.85, kOwned = 0.72, kSky = 0.67, kOther = 0.65;
 
 bool is_shadow(const PixelTags::Tag& tag) { return tag.kind == "light" && tag.name.starts_with("in the shadow"); }
+
+bool is_sky(const PixelTags::Tag& tag) { return tag.name.starts_with("sky"); }
 
 const char* suspect_of(const PixelTags::Tag& tag) {
   if (tag.kind == "effect") return tag.name.c_str();
   if (tag.kind == "texture") return tag.name.starts_with("normal") ? "normals" : "texture";
   if (tag.kind == "light") return is_shadow(tag) ? "shadows" : "light";
   if (tag.kind == "feature") return tag.name.starts_with("noise") ? "noise functions" : "feature";
-  if (tag.kind == "secondary object") return "reflection or refraction";
+  if (tag.kind == "secondary object") return is_sky(tag) ? "background" : "reflection or refraction";
   if (tag.kind == "shape") return "shape";
   if (tag.kind == "passed object") return "object missing";
   return nullptr;
@@ -95,19 +98,6 @@ const PixelTags::Tag* only_object(const PixelTags& tags, const std::string& begi
   return only;
 }
 
-// " of sphere (s.pov:3)" where one object shows nearly all of a texture that is seen.
-std::string owner_of(const Case& c, const PixelTags& tags, const Mask& mask) {
-  constexpr double kNearlyAll = 0.95;
-  const auto count = [](const Mask& m) { return static_cast<double>(std::count(m.begin(), m.end(), 1)); };
-  for (const PixelTags::Tag& tag : tags.tags) {
-    if (tag.kind != "object") continue;
-    Mask both = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
-    for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] && mask[i];
-    if (count(both) > kNearlyAll * count(mask)) return " of " + tag.name;
-  }
-  return "";
-}
-
 constexpr const char* kHere = "seen where pixels are wrong";
 
 }  // namespace
@@ -121,17 +111,19 @@ void suspect_features(const Case& c, Suspicions& out) {
     if (!what) continue;
     if (tag.kind == "shape" && only_object(tags, tag.name + " (")) continue;  // the object itself says more
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
-    const bool effect = tag.kind == "effect";
-    seen.suspect(what,
-                 effect                  ? kHere
-                 : tag.kind == "texture" ? tag.name + owner_of(c, tags, mask)
-                                         : tag.name,
-                 mask, effect ? kEffect : kOther, tag.kind == "secondary object" || tag.kind == "feature");
+    const bool effect = tag.kind == "effect", secondary = tag.kind == "secondary object";
+    const std::string owner = tag.kind == "texture" ? owner_of(c, tags, mask) : "";
+    seen.suspect(what, effect ? kHere : tag.name + (owner.empty() ? "" : " of " + owner), mask,
+                 effect                                              ? kEffect
+                 : !owner.empty() && !tag.name.starts_with("normal") ? kOwned
+                 : secondary && is_sky(tag)                          ? kSky
+                                                                     : kOther,
+                 secondary || tag.kind == "feature");
   }
   // An object that casts no shadow does so in the light of all lamps.
   seen.suspect("shadows", "in the shadow of any light", c.pixels_with(tags, is_shadow), kOther);
   for (const PixelTags::Part& part : tags.parts)
-    if (part.kind == "highlights") seen.suspect("highlights", kHere, bright(c.light_of(tags, part)), kEffect);
+    if (part.kind == "highlights") seen.suspect("highlights", kHere, bright(c.numbers_of(tags, part.light)), kEffect);
 }
 
 }  // namespace verisim::compare

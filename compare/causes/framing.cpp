@@ -84,6 +84,33 @@ void cameras(const Case& c, Suspicions& out) {
     add("camera rotation", fmt::format("its right is {}, not {}", text(is->right), text(was->right)));
 }
 
+// How near each pixel is to the camera that the tags tell of: 1 at the middle depth, 0 where nothing is seen.
+struct Depths {
+  std::vector<float> nearness;
+  double middle = 0, focal = 0;  // the depth where it is 1; the distance of the picture in pixels
+};
+std::optional<Depths> depths(const Case& c) {
+  constexpr float kNearest = 10;
+  const PixelTags* const tags = c.tags.any();
+  const auto camera = tags ? camera_of(*tags) : std::nullopt;
+  if (!camera || tags->surfaces.point.empty()) return std::nullopt;
+  const Pixels points = c.numbers_of(*tags, tags->surfaces.point), normals = c.numbers_of(*tags, tags->surfaces.normal);
+  const double unit = length(camera->direction);
+  std::vector<double> depth(c.size()), seen;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) depth[i] += (points[i][k] - camera->location[k]) * camera->direction[k] / unit;
+    if (normals[i] == Pixel{} || !(depth[i] > 0)) depth[i] = 0;
+    if (depth[i] > 0) seen.push_back(depth[i]);
+  }
+  if (2 * seen.size() < c.size() || !(unit > 0)) return std::nullopt;
+  Depths out;
+  std::nth_element(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2), seen.end());
+  out.middle = seen[seen.size() / 2], out.focal = c.width * unit / length(camera->right);
+  for (const double d : depth)
+    out.nearness.push_back(d > 0 ? std::min(kNearest, static_cast<float>(out.middle / d)) : 0);
+  return out;
+}
+
 }  // namespace
 
 void suspect_framing(const Case& c, Suspicions& out) {
@@ -91,9 +118,10 @@ void suspect_framing(const Case& c, Suspicions& out) {
   mirror_images(c, out);
   const double mx = (c.width - 1) / 2.0, my = (c.height - 1) / 2.0, f = c.reduced;
   double known = 0;  // what fewer numbers explain
+  const auto depth = depths(c);
   const auto attempt = [&](const char* what, const Freedom& freedom,
                            const std::function<std::string(const Motion&)>& detail) {
-    const Registered r = registered(c, freedom, mx, my);
+    const Registered r = registered(c, freedom, mx, my, {}, depth ? depth->nearness : std::vector<float>());
     Suspicion s = c.repaired(what, detail(r.motion), r.moved, 1);
     s.explained = std::max(s.explained, r.explained);
     // More numbers must explain clearly more.
@@ -119,6 +147,13 @@ void suspect_framing(const Case& c, Suspicions& out) {
     return fmt::format("the picture is {} in width and {} in height{}", percent(m.zoom_x), percent(m.zoom_y),
                        shifted(m));
   });
+  if (depth)
+    attempt("camera moved", {.parallax = true}, [&](const Motion& m) {
+      const double unit = depth->middle / depth->focal;
+      return fmt::format("it stands {:.2g} further to the {} and {:.2g} {} than in the reference",
+                         std::fabs(m.parallax_x) * unit, m.parallax_x < 0 ? "right" : "left",
+                         std::fabs(m.parallax_y) * unit, m.parallax_y > 0 ? "higher" : "lower");
+    });
 }
 
 }  // namespace verisim::compare

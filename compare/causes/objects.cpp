@@ -286,8 +286,9 @@ void outlines_of_one_side(const Case& c, Suspicions& out) {
     const double only_there = share_of(c, object.mask) / share_of(c, around);
     const Elsewhere elsewhere = look_elsewhere(c, object.mask, reach);
     const double gone = 0.95 * only_there * (elsewhere.found ? 0.5 : 1);
-    if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, gone));
-    if (was < kGone * is) out.push_back(c.placed("object added", object.copy, object.mask, gone));
+    // It is there for the side that tells of it.
+    if (c.tags.reference ? is < kGone * was : was < kGone * is)
+      out.push_back(c.placed(c.tags.reference ? "object missing" : "object added", object.copy, object.mask, gone));
     if (elsewhere.found) {
       Suspicion s = c.placed(elsewhere.zoomed() ? "object scaled" : "object moved",
                              fmt::format("{}: {}", object.name, elsewhere.detail(c)), around, 1);

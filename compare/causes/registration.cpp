@@ -3,7 +3,7 @@
 namespace verisim::compare {
 namespace {
 
-constexpr int kMaxNumbers = 5;
+constexpr int kMaxNumbers = 7;
 
 Pixel between(const Case& c, const Pixels& picture, double x, double y) {
   const double fx = std::floor(x), fy = std::floor(y);
@@ -19,8 +19,9 @@ Pixel between(const Case& c, const Pixels& picture, double x, double y) {
 
 class Registration {
  public:
-  Registration(const Case& c, const Freedom& f, double mx, double my, const Mask& mask)
-      : c_(c), f_(f), mx_(mx), my_(my), mask_(mask) {}
+  Registration(const Case& c, const Freedom& f, double mx, double my, const Mask& mask,
+               const std::vector<float>& nearness)
+      : c_(c), f_(f), mx_(mx), my_(my), mask_(mask), nearness_(nearness) {}
 
   Registered run() {
     Registered out;
@@ -40,14 +41,16 @@ class Registration {
 
  private:
   bool looked_at(std::size_t i) const { return mask_.empty() || mask_[i]; }
-  std::pair<double, double> motion(double x, double y) const {
-    return {m_.dx + m_.zoom_x * x - m_.turn * y, m_.dy + m_.zoom_y * y + m_.turn * x};
+  double near(std::size_t i) const { return f_.parallax ? nearness_[i] : 0; }
+  std::pair<double, double> motion(double x, double y, double near) const {
+    return {m_.dx + m_.zoom_x * x - m_.turn * y + m_.parallax_x * near,
+            m_.dy + m_.zoom_y * y + m_.turn * x + m_.parallax_y * near};
   }
   Pixels warped(const Pixels& picture) const {
     Pixels out(c_.size());
     for (int y = 0; y < c_.height; ++y)
       for (int x = 0; x < c_.width; ++x) {
-        const auto [u, v] = motion(x - mx_, y - my_);
+        const auto [u, v] = motion(x - mx_, y - my_, near(c_.at(x, y)));
         out[c_.at(x, y)] = between(c_, picture, x - u, y - v);
       }
     return out;
@@ -66,7 +69,7 @@ class Registration {
         for (std::size_t k = 0; k < 3; ++k) {
           const double gx = (there[c_.clamped(x + 1, y)][k] - there[c_.clamped(x - 1, y)][k]) / 2,
                        gy = (there[c_.clamped(x, y + 1)][k] - there[c_.clamped(x, y - 1)][k]) / 2;
-          const std::array<double, kMaxNumbers> slope = slopes(gx, gy, x - mx_, y - my_, n);
+          const std::array<double, kMaxNumbers> slope = slopes(gx, gy, x - mx_, y - my_, near(i), n);
           const double rest = b_[i][k] - there[i][k];
           for (int p = 0; p < n; ++p) {
             for (int q = 0; q < n; ++q) equations[p][q] += slope[p] * slope[q];
@@ -79,13 +82,14 @@ class Registration {
     return apply(change);
   }
   // How the picture changes with each free number.
-  std::array<double, kMaxNumbers> slopes(double gx, double gy, double x, double y, int& n) const {
+  std::array<double, kMaxNumbers> slopes(double gx, double gy, double x, double y, double near, int& n) const {
     std::array<double, kMaxNumbers> out{};
     n = 0;
     if (f_.shift) out[n++] = -gx, out[n++] = -gy;
     if (f_.zoom) out[n++] = -gx * x - gy * y;
     if (f_.stretch) out[n++] = -gx * x, out[n++] = -gy * y;
     if (f_.turn) out[n++] = gx * y - gy * x;
+    if (f_.parallax) out[n++] = -gx * near, out[n++] = -gy * near;
     return out;
   }
   bool apply(const std::array<double, kMaxNumbers>& d) {
@@ -104,6 +108,7 @@ class Registration {
     }
     if (f_.stretch) m_.zoom_x += next(0.1, far), m_.zoom_y += next(0.1, far);
     if (f_.turn) m_.turn += next(0.1, far);
+    if (f_.parallax) m_.parallax_x += next(4, 1), m_.parallax_y += next(4, 1);
     return largest > 0.005;
   }
   static bool solve(std::array<std::array<double, kMaxNumbers + 1>, kMaxNumbers>& e, int n,
@@ -129,6 +134,7 @@ class Registration {
   const Freedom& f_;
   double mx_, my_;
   const Mask& mask_;
+  const std::vector<float>& nearness_;
   Motion m_;
   Pixels a_, b_;
 };
@@ -156,8 +162,9 @@ Pixels blurred(const Case& c, const Pixels& picture, double sigma) {
   return out;
 }
 
-Registered registered(const Case& c, const Freedom& freedom, double middle_x, double middle_y, const Mask& mask) {
-  return Registration(c, freedom, middle_x, middle_y, mask).run();
+Registered registered(const Case& c, const Freedom& freedom, double middle_x, double middle_y, const Mask& mask,
+                      const std::vector<float>& nearness) {
+  return Registration(c, freedom, middle_x, middle_y, mask, nearness).run();
 }
 
 }  // namespace verisim::compare

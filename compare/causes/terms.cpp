@@ -6,6 +6,8 @@
 #include <set>
 
 #include "compare/causes/families.h"
+#include "compare/causes/fog_density.h"
+#include "compare/causes/moved_light.h"
 #include "compare/causes/registration.h"
 
 namespace verisim::compare {
@@ -13,6 +15,8 @@ namespace {
 
 using Key = std::pair<std::string, std::string>;  // kind and name
 constexpr const char* kOverlapping[] = {"highlights", "reflection", "transparency"};
+
+constexpr const char* kLitElsewhere = "light elsewhere";  // the part of a light that mirrors and glass show
 
 bool overlaps(const std::string& kind) {
   return std::find(std::begin(kOverlapping), std::end(kOverlapping), kind) != std::end(kOverlapping);
@@ -42,7 +46,8 @@ class Transfer {
 
 std::map<Key, Pixels> terms_of(const Case& c, const PixelTags& tags) {
   std::map<Key, Pixels> out;
-  for (const PixelTags::Part& part : tags.parts) out[{part.kind, part.name}] = c.light_of(tags, part);
+  for (const PixelTags::Part& part : tags.parts)
+    if (part.kind != kLitElsewhere) out[{part.kind, part.name}] = c.numbers_of(tags, part.light);
   return out;
 }
 
@@ -202,7 +207,11 @@ class Terms {
                   std::all_of(c_.reference[i].begin(), c_.reference[i].end(), [](float v) { return v < kWhite; });
       for (std::size_t k = 0; k < 3; ++k) rest[i][k] = light(c_.test[i][k]) - lit_[i][k];
     }
+    const SeenSurfaces surfaces = surfaces_of(*c_.tags.any(), judged);
     for (const auto& [key, term] : of_reference ? was_ : is_) {
+      const auto more = [&] { return of_reference ? rest : minus(Pixels(c_.size()), rest); };
+      if (key.first == "light") moved(key.second, term, more(), surfaces);
+      if (key.first == "fog") density("fog", term, more(), judged);
       const Proportion p = proportion(term, rest, &judged);
       auto [what, detail] = strength(key.first, key.second, of_reference ? p : of_what_was(p));
       const double mean = (p.factor[0] + p.factor[1] + p.factor[2]) / 3;
@@ -210,6 +219,7 @@ class Terms {
         what = key.first == "light" ? "light added" : in_words(key.first, "") + " added";
         detail = key.first == "light" ? "the " + key.second : "there is none in the reference";
       }
+      if (key.first == "transparency" || key.first == "reflection") detail = of_owner(term, detail);
       Pixels change = term;
       for (Pixel& v : change)
         for (std::size_t k = 0; k < 3; ++k) v[k] *= static_cast<float>(p.factor[k]);
@@ -223,6 +233,58 @@ class Terms {
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) a[i][k] -= b[i][k];
     return a;
+  }
+
+  // "sphere (s.pov:3): 10 % more" where one object shows nearly all pixels of this term that are far from right.
+  std::string of_owner(const Pixels& term, const std::string& detail) const {
+    constexpr float kFar = 0.1f;
+    const float far = kFar * *std::max_element(c_.squared.begin(), c_.squared.end());
+    Mask shown(c_.size());
+    for (std::size_t i = 0; i < c_.size(); ++i) shown[i] = c_.squared[i] > far && squared_distance(term[i], {}) > 0;
+    const std::string owner = owner_of(c_, *c_.tags.any(), shown);
+    return owner.empty() ? detail : owner + ": " + detail;
+  }
+
+  SeenSurfaces surfaces_of(const PixelTags& tags, const Mask& judged) const {
+    SeenSurfaces out{c_.numbers_of(tags, tags.surfaces.point), c_.numbers_of(tags, tags.surfaces.normal),
+                     c_.numbers_of(tags, tags.surfaces.diffuse)};
+    for (std::size_t i = 0; i < c_.size(); ++i)
+      if (!judged[i]) out.normal[i] = {};
+    return out;
+  }
+
+  // `more`: what the side without terms has more than the one with them.
+  void moved(const std::string& name, const Pixels& term, const Pixels& more, SeenSurfaces surfaces) {
+    Vec3 from(0.0);
+    const std::size_t place = name.find('<');
+    if (place == std::string::npos ||
+        std::sscanf(name.c_str() + place, "<%lf, %lf, %lf>", &from.x, &from.y, &from.z) != 3)
+      return;
+    const Pixels none(c_.size());
+    Pixels here = term;  // without what is lit elsewhere
+    for (const PixelTags::Part& part : c_.tags.any()->parts)
+      if (part.kind == kLitElsewhere && part.name == name)
+        here = minus(here, c_.numbers_of(*c_.tags.any(), part.light));
+    for (std::size_t i = 0; i < c_.size(); ++i)
+      if (squared_distance(here[i], {}) < 0.5f * squared_distance(term[i], {})) surfaces.normal[i] = {};
+    const std::optional<MovedLight> other = moved_light(from, here, minus(here, minus(none, more)), surfaces);
+    if (!other) return;
+    Pixels change = minus(other->light, here);
+    for (std::size_t i = 0; i < c_.size(); ++i)
+      if (surfaces.normal[i] == Pixel{}) change[i] = {};
+    const Vec3& at = other->position;
+    add("light moved",
+        fmt::format("the {} is at about <{:.3g}, {:.3g}, {:.3g}> in the {}", name, at.x, at.y, at.z,
+                    c_.tags.reference ? "test picture" : "reference"),
+        c_.tags.reference ? change : minus(none, change), weight::kRepaired);
+  }
+
+  void density(const std::string& air, const Pixels& term, const Pixels& more, const Mask& judged) {
+    const auto other = other_fog(sum_of(c_, c_.tags.reference ? was_ : is_), term, more, judged);
+    if (!other) return;
+    const bool known = c_.tags.reference != nullptr;
+    add(air, fmt::format("{:.2f} times as dense as in the reference", known ? other->density : 1 / other->density),
+        known ? other->change : minus(Pixels(c_.size()), other->change), weight::kRepaired);
   }
 
   void add(const std::string& what, const std::string& detail, const Pixels& change, double weight) {

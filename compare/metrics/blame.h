@@ -34,6 +34,12 @@ struct PixelTags {
     std::vector<float> light;  // red, green and blue of each pixel of set_of
   };
   std::vector<Part> parts = {};
+  // What is seen first at each pixel of set_of, three numbers each; zeros where that is nothing. Empty: not known.
+  struct Surfaces {
+    std::vector<float> point, normal;  // in the scene's space; the perturbed normal, towards the viewer, of length 1
+    std::vector<float> diffuse;        // what its layers make of white light from straight above
+  };
+  Surfaces surfaces = {};
 };
 
 // Throws PictureMismatch when these are the tags of a picture of another size.

@@ -1,5 +1,6 @@
 #include "compare/metrics/blame.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "compare/compare.h"
@@ -101,11 +102,14 @@ TEST(Blame, RefusesTagsOfAnotherPicture) {
 TEST(PixelTags, GoThroughJson) {
   PixelTags t = half_and_half(8, 4);
   t.trees.push_back({3, 2, "camera ray\n  hits \xff"});
+  t.surfaces.point = {1234.5678f, -0.00012345678f, 0}, t.surfaces.normal = {0, 1, HUGE_VALF};
   const PixelTags read = tags_from_json(tags_json(t));
   EXPECT_EQ(read.set_of, t.set_of);
   EXPECT_EQ(read.sets, t.sets);
   EXPECT_EQ(read.tags[2].name, "lamp");
   EXPECT_EQ(read.trees[0].x, 3);
+  EXPECT_THAT(read.surfaces.point, testing::ElementsAre(1234.6f, -0.00012346f, 0));
+  EXPECT_THAT(read.surfaces.normal, testing::ElementsAre(0, 1, 0));
   for (const char* bad : {"", "{", "[]", "{\"width\": \"x\"}",
                           "{\"width\":1,\"height\":1,\"step\":1,\"tags\":[{}],\"sets\":[],\"pixels\":[],\"trees\":[]}"})
     EXPECT_THROW(tags_from_json(bad), std::runtime_error) << bad;

@@ -15,7 +15,17 @@
 namespace verisim::compare {
 namespace {
 constexpr double kLightUnit = 1e-6;  // of linear light, 1 is white
+
+// Numbers of five digits: more would not be seen, and take more of the file.
+nlohmann::json short_numbers(const std::vector<float>& values) {
+  nlohmann::json out = nlohmann::json::array();
+  for (float v : values) {
+    const double unit = v == 0 || !std::isfinite(v) ? 1 : std::pow(10, std::floor(std::log10(std::fabs(v))) - 4);
+    out.push_back(std::isfinite(v) ? std::round(v / unit) * unit : 0);
+  }
+  return out;
 }
+}  // namespace
 
 std::string tags_json(const PixelTags& tags) {
   nlohmann::json json;
@@ -35,6 +45,9 @@ std::string tags_json(const PixelTags& tags) {
     for (float v : part.light)
       light.push_back(std::isfinite(v) ? std::llround(std::clamp<double>(v, -1e6, 1e6) / kLightUnit) : 0);
   }
+  json["surfaces"] = {{"point", short_numbers(tags.surfaces.point)},
+                      {"normal", short_numbers(tags.surfaces.normal)},
+                      {"diffuse", short_numbers(tags.surfaces.diffuse)}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // file names may hold any bytes
 }
 
@@ -50,6 +63,11 @@ PixelTags tags_from_json(const std::string& text) {
       PixelTags::Part& in = out.parts.emplace_back();
       in.kind = part.at("kind"), in.name = part.at("name");
       for (const auto& v : part.at("light")) in.light.push_back(static_cast<float>(v.get<double>() * kLightUnit));
+    }
+    if (const auto surfaces = json.find("surfaces"); surfaces != json.end()) {
+      out.surfaces.point = surfaces->at("point").get<std::vector<float>>();
+      out.surfaces.normal = surfaces->at("normal").get<std::vector<float>>();
+      out.surfaces.diffuse = surfaces->at("diffuse").get<std::vector<float>>();
     }
     for (const auto& tree : json.at("trees")) out.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
   } catch (const nlohmann::json::exception& error) {

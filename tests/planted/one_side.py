@@ -127,7 +127,7 @@ class Scene:
 
 # Of these suspects one must name the object, too.
 SURFACE = {"object", "texture", "brightness", "contrast", "color balance", "saturation", "hue", "offset", "gamma", "channels"}
-OF_AN_OBJECT = SURFACE | {"object added", "object moved", "object scaled", "object shape"}
+OF_AN_OBJECT = SURFACE | {"transparency", "object added", "object moved", "object scaled", "object shape"}
 
 
 def fault(scene):
@@ -155,12 +155,13 @@ def fault(scene):
     if kind == "object scaled":
         o["size"] *= r.choice([0.85, 1.15])
         return kind, {"object scaled", "object shape", "object moved"}, line
+    glass = {"transparency"} if o["interior"] else set()  # its color is what it lets through
     if kind == "pigment":
         o["pigment"] = r.choice(PIGMENTS[:1] + PIGMENTS[2:]).format(scene.color(), scene.color())
-        return kind, SURFACE, line
+        return kind, SURFACE | glass, line
     if kind == "color":
         o["pigment"] = re.sub(r"<[\d., ]+>", lambda m: scene.color(), o["pigment"], count=1)
-        return kind, SURFACE, line
+        return kind, SURFACE | glass, line
     if kind == "diffuse":
         o["finish"]["diffuse"] = round(o["finish"]["diffuse"] * r.choice([0.7, 1.3]), 3)
         return kind, SURFACE, line

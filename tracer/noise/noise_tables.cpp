@@ -51,6 +51,8 @@ NoiseTables::NoiseTables() {
   shuffle_hash(*this);
   std::copy(std::begin(kValueTable), std::end(kValueTable), values);
   values[std::size(kValueTable)] = 0;
+  for (std::size_t i = 0; i < std::size(vectors); ++i)
+    for (std::size_t k = 0; k < 4; ++k) vectors[i][k] = k < 3 ? values[i + 4 * k] : 0;
   std::mt19937 twister;  // seed 5489
   for (int i = 0; i < 32768; ++i) random[i] = static_cast<std::uint32_t>(twister());
   for (int i = 0; i < 4; ++i) random[32768 + i] = random[i];

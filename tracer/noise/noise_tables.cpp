@@ -31,11 +31,11 @@ void fill_gradients(NoiseTables& t) {
       g.z = coordinate();
       squared = dot(g, g);
     } while (squared > 1 || squared < 1e-5);
-    const double n = std::sqrt(squared);
+    const double inverse_length = 1 / std::sqrt(squared);
     batch[0] = 0;
-    batch[1] = g.x / n;
-    batch[2] = g.y / n;
-    batch[3] = g.z / n;
+    batch[1] = g.x * inverse_length;
+    batch[2] = g.y * inverse_length;
+    batch[3] = g.z * inverse_length;
   }
   // One cell too many takes part in the shuffle, as in POV-Ray: 0 occurs twice and one value is lost.
   std::uint16_t cells[2049];

@@ -1,5 +1,4 @@
 #include "tracer/textures/normals/normal.h"
-#include "tracer/textures/normals/dents.h"
 #include "tracer/textures/normals/unusable_normal.h"
 
 #include <iterator>
@@ -18,7 +17,7 @@ double fraction(const MapPositions& positions, const MapPlace& place, double v) 
 }
 
 Vec3 dents_bump(const Vec3& p, int noise_generator) {
-  const double n = dents_noise(p, noise_generator);
+  const double n = noise(p, noise_generator);
   return n * n * n * vector_noise(p);
 }
 

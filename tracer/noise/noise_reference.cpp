@@ -49,20 +49,18 @@ double gradient_noise(const Vec3& p) {
     i[k] = floor_to_int(shifted);
     r[k] = shifted - static_cast<double>(i[k]);
   }
-  double sum = 0;
+  double values[8];
   for (int c = 0; c < 8; ++c) {
     const int corner[3] = {c & 1, c >> 1 & 1, c >> 2};
     const int x = t.permutation[(i[0] + corner[0]) & 2047];
     const int y = t.permutation[(x + i[1] + corner[1]) & 2047];
     const double* g = t.gradient_batch[(y + i[2] + corner[2]) & 2047];
-    double weight = 1, value = 0;
-    for (int k = 0; k < 3; ++k) {
-      weight *= corner[k] ? smooth(r[k]) : 1 - smooth(r[k]);
-      value += g[k + 1] * (r[k] - corner[k]);
-    }
-    sum += weight * value;
+    values[c] = 0;
+    for (int k = 0; k < 3; ++k) values[c] += g[k + 1] * (r[k] - corner[k]);
   }
-  return sum;
+  for (int k = 0, count = 4; k < 3; ++k, count /= 2)
+    for (int c = 0; c < count; ++c) values[c] = values[2 * c] + smooth(r[k]) * (values[2 * c + 1] - values[2 * c]);
+  return values[0];
 }
 
 }  // namespace

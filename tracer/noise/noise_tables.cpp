@@ -31,11 +31,11 @@ void fill_gradients(NoiseTables& t) {
       g.z = coordinate();
       squared = dot(g, g);
     } while (squared > 1 || squared < 1e-5);
-    const double n = std::sqrt(squared);
+    const double inverse_length = 1 / std::sqrt(squared);
     batch[0] = 0;
-    batch[1] = g.x / n;
-    batch[2] = g.y / n;
-    batch[3] = g.z / n;
+    batch[1] = g.x * inverse_length;
+    batch[2] = g.y * inverse_length;
+    batch[3] = g.z * inverse_length;
   }
   // One cell too many takes part in the shuffle, as in POV-Ray: 0 occurs twice and one value is lost.
   std::uint16_t cells[2049];
@@ -51,6 +51,8 @@ NoiseTables::NoiseTables() {
   shuffle_hash(*this);
   std::copy(std::begin(kValueTable), std::end(kValueTable), values);
   values[std::size(kValueTable)] = 0;
+  for (std::size_t i = 0; i < std::size(vectors); ++i)
+    for (std::size_t k = 0; k < 4; ++k) vectors[i][k] = k < 3 ? values[i + 4 * k] : 0;
   std::mt19937 twister;  // seed 5489
   for (int i = 0; i < 32768; ++i) random[i] = static_cast<std::uint32_t>(twister());
   for (int i = 0; i < 4; ++i) random[32768 + i] = random[i];

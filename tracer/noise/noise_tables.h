@@ -24,10 +24,13 @@ class LinearCongruential {
 struct NoiseTables {
   NoiseTables();
 
-  // Generators 1 and 2 need these two, 10 KB, for every corner: they are small to stay in the nearest cache.
+  // Generators 1 and 2 need these two, 10 KB, for every corner, and the vector noise the first and the third: they are
+  // small to stay in the nearest cache.
   std::uint16_t hash[4096];  // T: a permutation of 0 .. 4095
   double values[268];  // R: R[b]/2 and the slopes R[b+1], R[b+2], R[b+3] are one corner of generators 1 and 2, b =
                        // T[...] & 255
+  // R[i], R[i + 4], R[i + 8]: the same number of the three components of the vector noise.
+  alignas(32) double vectors[259][4];
   std::uint32_t random[32768 + 4];  // U * 2^32: MT19937; the first entries repeat at the end, so that three can be read
                                     // without wrapping
   alignas(32) double gradient_batch[2048][4];  // 0, g_x, g_y, g_z: one corner of generator 3

@@ -69,13 +69,74 @@ TEST(Noise, VectorsHaveAllBits) {
   for (const Probe& probe : probes) EXPECT_EQ(vector_noise(probe.p), probe.value) << probe.p.x;
 }
 
+// f_noise3d(x, y, z), pattern { granite }, pattern { wrinkles }: their sums have POV-Ray's order.
+TEST(Noise, NumbersHaveAllBits) {
+  struct Probe {
+    Vec3 p;
+    double noise, granite, wrinkles;
+  };
+  const Probe probes[] = {
+      {{0.9832135591176154, 1.9342959140858351, 2.361548524525573},
+       0.5104168585964278,
+       0.36950022858152404,
+       0.5806657897478413},
+      {{3.5396022702164025, 1.9191885979194456, 3.378599973323336},
+       0.5172444816250664,
+       0.45897798259104045,
+       0.5062863344603036},
+      {{-3.767958173731082, -0.2750187649751572, 3.5468537359865095},
+       0.45493939754029883,
+       0.4917654571423088,
+       0.39380843456219466},
+      {{1.1917964250953936, 3.2072039340049816, -3.094352282774845},
+       0.5689457564820493,
+       0.4229591256977146,
+       0.6847507116895074},
+      {{-0.24744761774269008, -2.0274173390413575, 0.3500868738874434},
+       0.6514060044986084,
+       0.3326962332221923,
+       0.7678556948370358},
+      {{0.5915295034248063, -3.8950864832887824, -2.2661615962892148},
+       0.5102366295755655,
+       0.20806474012777335,
+       0.5389738687153832},
+  };
+  for (const Probe& probe : probes) {
+    EXPECT_EQ(noise(probe.p, 2), probe.noise) << probe.p.x;
+    EXPECT_EQ(granite_sum(probe.p, 2), probe.granite) << probe.p.x;
+    EXPECT_EQ(wrinkles_sum(probe.p, 2), probe.wrinkles) << probe.p.x;
+  }
+}
+
+// vturbulence(2, 0.5, 6, P).
+TEST(Turbulence, OfVectorsHasAllBits) {
+  struct Probe {
+    Vec3 p, value;
+  };
+  const Probe probes[] = {
+      {{0.9832135591176154, 1.9342959140858351, 2.361548524525573},
+       {0.09336766162414536, -0.19369378218856456, -0.04457416410594179}},
+      {{3.5396022702164025, 1.9191885979194456, 3.378599973323336},
+       {-0.04439696211715836, 0.31139393726261394, -0.21079208583804238}},
+      {{-3.767958173731082, -0.2750187649751572, 3.5468537359865095},
+       {-0.27415098348260497, -0.1375152360191372, -0.02753611533221464}},
+      {{1.1917964250953936, 3.2072039340049816, -3.094352282774845},
+       {0.31131688300504445, 0.2669199717278347, 0.3839987673858879}},
+      {{-0.24744761774269008, -2.0274173390413575, 0.3500868738874434},
+       {0.49014344409287514, -0.2770382214668853, -0.7459559033428744}},
+      {{0.5915295034248063, -3.8950864832887824, -2.2661615962892148},
+       {0.012373198941485426, 0.12544597949475217, -0.2963718271519846}},
+  };
+  for (const Probe& probe : probes) EXPECT_EQ(vector_turbulence(probe.p, 6, 2, 0.5), probe.value) << probe.p.x;
+}
+
 TEST(Noise, FastVersionAgreesWithTheReference) {
   std::mt19937 random(1);
   for (int i = 0; i < 20000; ++i) {
     std::uniform_real_distribution<double> coordinate(-1, 1);
     const double size = std::pow(10.0, i % 7 - 2);
     const Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
-    for (int g = 1; g <= 3; ++g) ASSERT_NEAR(noise(p, g), reference::noise(p, g), 1e-15) << "generator " << g;
+    for (int g = 1; g <= 3; ++g) ASSERT_EQ(noise(p, g), reference::noise(p, g)) << "generator " << g;
     ASSERT_EQ(vector_noise(p), reference::vector_noise(p));
   }
 }
@@ -93,15 +154,13 @@ TEST(NoiseKernels, GiveTheSameBitsOnEveryInstructionSet) {
     const Octaves& o = octaves[i % 3];
     const Vec3 vector = first.vector_noise(p), sum = first.vector_turbulence(p, o), wrinkles = first.wrinkles_vector(p);
     const Vec3 plain_sum = reference::vector_turbulence(p, o), plain_wrinkles = reference::wrinkles_vector_sum(p);
-    for (int k = 0; k < 3; ++k) {
-      ASSERT_NEAR(sum[k], plain_sum[k], 1e-14) << k;
-      ASSERT_NEAR(wrinkles[k], plain_wrinkles[k], 1e-14) << k;
-    }
+    ASSERT_EQ(sum, plain_sum);
+    ASSERT_EQ(wrinkles, plain_wrinkles);
     for (int g = 1; g <= 3; ++g) {
-      ASSERT_NEAR(first.noise[g](p), reference::noise(p, g), 2e-15) << g;
-      ASSERT_NEAR(first.turbulence[g](p, o), reference::turbulence(p, o, g), 1e-14) << g;
-      ASSERT_NEAR(first.granite[g](p), reference::granite_sum(p, g), 1e-14) << g;
-      ASSERT_NEAR(first.wrinkles[g](p), reference::wrinkles_sum(p, g), 1e-14) << g;
+      ASSERT_EQ(first.noise[g](p), reference::noise(p, g)) << g;
+      ASSERT_EQ(first.turbulence[g](p, o), reference::turbulence(p, o, g)) << g;
+      ASSERT_EQ(first.granite[g](p), reference::granite_sum(p, g)) << g;
+      ASSERT_EQ(first.wrinkles[g](p), reference::wrinkles_sum(p, g)) << g;
     }
     for (int set = 1; set <= simd::best_instruction_set(); ++set) {
       const NoiseKernels& other = noise_kernels(static_cast<simd::InstructionSet>(set));
@@ -165,7 +224,7 @@ TEST(NoiseKernels, TellCellsApartThatShareAPlaceInTheMemory) {
         kernels.noises[g](points, 255, together);
         for (int k = 0; k < 8; ++k) {
           const Vec3 p(points.x[k], points.y[k], points.z[k]);
-          ASSERT_NEAR(together[k], reference::noise(p, g), 2e-15) << kernels.name << ' ' << g << ' ' << step;
+          ASSERT_EQ(together[k], reference::noise(p, g)) << kernels.name << ' ' << g << ' ' << step;
           ASSERT_EQ(together[k], kernels.noise[g](p)) << kernels.name << ' ' << g << ' ' << step;
         }
       }

@@ -174,7 +174,7 @@ void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, con
   c.source = CompiledPigment::Source::color_map;
   c.pattern = pattern(d);
   c.table = &table;
-  c.transparent = table.transparent();
+  c.transparent |= table.transparent();
   if (!table.same_everywhere()) return;
   c.source = CompiledPigment::Source::plain;
   c.color = table.colors[0];
@@ -216,18 +216,18 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
     c.transparent = lets_light_through(c.color);
     return c;
   }
+  if (d.pattern.kind == scene::PatternKind::none) return c;
+  // A pattern keeps the solid colour that it has taken the place of, and POV-Ray heeds it still.
+  c.transparent = lets_light_through(d.color);
   switch (d.pattern.kind) {
-    case scene::PatternKind::none:
-      return c;
     case scene::PatternKind::plain:
       c.color = d.color;
-      c.transparent = lets_light_through(c.color);
       return c;
     case scene::PatternKind::image_map: {
       c.source = CompiledPigment::Source::image;
       c.pattern = pattern(d.pattern);
       const ImageLookup& lookup = c.pattern->as<ImageLookup>();
-      c.transparent = lookup.transparent || lookup.once;
+      c.transparent |= lookup.transparent || lookup.once;
       return c;
     }
     default:

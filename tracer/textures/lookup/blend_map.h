@@ -53,6 +53,11 @@ class MapPositions {
     // Width and fraction are rounded to single precision, the difference from the position is not (probe P9).
     return {j - 1, j, static_cast<float>((v - e.low) / e.width)};
   }
+  // How far v is from one entry to the next: t before it is rounded. Normals and slopes are blended by it.
+  double fraction(const MapPlace& place, double v) const {
+    const Entry& e = entries_[static_cast<std::size_t>(place.upper)];
+    return (v - e.low) / e.width;
+  }
 
  private:
   struct Entry {

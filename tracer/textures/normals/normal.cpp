@@ -1,5 +1,4 @@
 #include "tracer/textures/normals/normal.h"
-#include "tracer/textures/normals/dents.h"
 #include "tracer/textures/normals/unusable_normal.h"
 
 #include <iterator>
@@ -11,14 +10,8 @@
 namespace verisim::textures {
 namespace {
 
-// How far v is from one entry to the next. Normals and slopes, unlike colours, are blended in double precision.
-double fraction(const MapPositions& positions, const MapPlace& place, double v) {
-  const double low = positions.position(place.lower);
-  return (v - low) / (positions.position(place.upper) - low);
-}
-
 Vec3 dents_bump(const Vec3& p, int noise_generator) {
-  const double n = dents_noise(p, noise_generator);
+  const double n = noise(p, noise_generator);
   return n * n * n * vector_noise(p);
 }
 
@@ -121,10 +114,12 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
         const Vec3 upper = surface.normal;
         surface.normal = n;
         apply(*c.children[place.lower], q, surface);
-        const double t = fraction(c.positions, place, value);
+        const double t = c.positions.fraction(place, value);
         surface.normal = (1 - t) * surface.normal + t * upper;
       }
-      break;
+      // Normalised once more, as in POV-Ray: the last bit may change.
+      surface.normal = normalize(normal_out_of_frame(*c.pattern, c.no_bump_scale, surface.normal));
+      return;
     }
     default: {
       const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
@@ -151,10 +146,10 @@ double height_of(const CompiledNormal& c, double v) {
   const MapPlace place = c.positions.find(v);
   if (place.single()) return c.slopes[place.upper].height;
   const scene::SlopeEntry &a = c.slopes[place.lower], &b = c.slopes[place.upper];
-  const double t = fraction(c.positions, place, v);
+  const double t = c.positions.fraction(place, v);
   const double rise = a.height - b.height;
-  return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) + t * a.slope +
-         a.height;
+  return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) +
+         (t * a.slope + a.height);
 }
 
 Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {

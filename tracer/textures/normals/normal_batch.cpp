@@ -2,7 +2,6 @@
 // are asked point by point.
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/textures/normals/normal.h"
-#include "tracer/textures/normals/dents.h"
 #include "tracer/textures/normals/normal_kernels.h"
 #include "tracer/textures/point_batch.h"
 
@@ -35,8 +34,7 @@ void displace(const CompiledNormal& c, int count, const PointBatch& p, PointBatc
     patterns_of().vector_noise_batch(count, p, vectors);
     if (c.pattern->kind == scene::PatternKind::dents) {
       alignas(64) double noise[PointBatch::kMax];
-      for (int i = 0; i < PointBatch::kMax; ++i)
-        noise[i] = i < count ? dents_noise(p.at(i), c.pattern->noise_generator) : 0;
+      patterns_of().noise_batch(c.pattern->noise_generator, count, p, noise);
       normals_of().scale_by_cubes(count, noise, vectors);
     }
   }

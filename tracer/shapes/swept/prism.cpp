@@ -141,7 +141,8 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
     const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
     // What rounding may add to it.
-    const double doubt = 1e-12 * (std::fabs(nx) * farthest(along_x) + std::fabs(nz) * farthest(along_z) + std::fabs(n0));
+    const double doubt =
+        1e-12 * (std::fabs(nx) * farthest(along_x) + std::fabs(nz) * farthest(along_z) + std::fabs(n0));
     std::size_t i = segments_.size();  // the segment met last; pieces come in its order
     index_.overlapping(seen_from_above(o, d, enter, std::min(leave, sink.upper() * l.scale)), [&](std::size_t piece) {
       if (!middles_[piece].straddles(nx, nz, n0, doubt) || pieces_[piece].segment == i) return;
@@ -297,7 +298,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   std::vector<Segment> segments_;
   std::vector<Piece> pieces_;  // by segments
   std::vector<Middle> middles_;
-  OutlineIndex index_;         // of the pieces
+  OutlineIndex index_;  // of the pieces
   std::unique_ptr<Walls> straight_;
 };
 

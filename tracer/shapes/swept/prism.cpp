@@ -99,9 +99,9 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       const std::size_t count = s.degree == 1 ? 1 : parts;
       for (std::size_t k = 0; k < count; ++k) {
         const auto w = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(count); };
-        pieces_.push_back(
-            {segments_.size(), s.bounds(w(k), w(k + 1)), s.value(along_z, w(k)), s.value(along_z, w(k + 1))});
-        bounds.push_back(pieces_.back().bounds);
+        bounds.push_back(s.bounds(w(k), w(k + 1)));
+        pieces_.push_back({segments_.size(), bounds.back(), s.value(along_z, w(k)), s.value(along_z, w(k + 1))});
+        middles_.emplace_back(bounds.back());
       }
       segment.end_piece = pieces_.size();
       segments_.push_back(segment);
@@ -140,9 +140,12 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     // The outline's point lies on the ray's line when nx X + nz Z + n0 = 0.
     const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
     const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
+    // What rounding may add to it.
+    const double doubt =
+        1e-12 * (std::fabs(nx) * farthest(along_x) + std::fabs(nz) * farthest(along_z) + std::fabs(n0));
     std::size_t i = segments_.size();  // the segment met last; pieces come in its order
     index_.overlapping(seen_from_above(o, d, enter, std::min(leave, sink.upper() * l.scale)), [&](std::size_t piece) {
-      if (pieces_[piece].segment == i || !straddles(pieces_[piece].bounds, nx, nz, n0)) return;
+      if (!middles_[piece].straddles(nx, nz, n0, doubt) || pieces_[piece].segment == i) return;
       i = pieces_[piece].segment;
       const CurveSegment& s = segments_[i].curve;
       double falling[4], roots[3];
@@ -223,6 +226,20 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     Rectangle bounds;
     double z_begin, z_end;
   };
+  // The rectangle of a piece, as rays ask for it.
+  struct Middle {
+    double x, z, width, depth;  // half of both
+
+    explicit Middle(const Rectangle& r)
+        : x(0.5 * (r.min.x + r.max.x)),
+          z(0.5 * (r.min.y + r.max.y)),
+          width(0.5 * (r.max.x - r.min.x) * (1 + 1e-9)),
+          depth(0.5 * (r.max.y - r.min.y) * (1 + 1e-9)) {}
+    // Whether the line nx x + nz z + n0 = 0 may pass through it.
+    bool straddles(double nx, double nz, double n0, double doubt) const {
+      return std::fabs(nx * x + nz * z + n0) <= std::fabs(nx) * width + std::fabs(nz) * depth + doubt;
+    }
+  };
   static constexpr std::size_t kPieces = 64,
                                kMaxParts = 16;  // of all curved segments together, if they are few; of one
 
@@ -236,12 +253,10 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
           {s.curve.c[0].x, s.curve.c[0].y, s.curve.c[1].x, s.curve.c[1].y, s.x_low, s.x_high, s.z_low, s.z_high});
   }
 
-  // Whether the line nx x + nz z + n0 = 0 may pass through a piece's rectangle.
-  static bool straddles(const Rectangle& r, double nx, double nz, double n0) {
-    const double x = 0.5 * (r.min.x + r.max.x), z = 0.5 * (r.min.y + r.max.y);
-    const double reach = std::fabs(nx) * 0.5 * (r.max.x - r.min.x) + std::fabs(nz) * 0.5 * (r.max.y - r.min.y);
-    const double size = std::fabs(nx * x) + std::fabs(nz * z) + std::fabs(n0);
-    return std::fabs(nx * x + nz * z + n0) <= reach * (1 + 1e-9) + 1e-12 * size;
+  // The largest coordinate of the outline.
+  double farthest(Axis axis) const {
+    const int k = axis == along_x ? 0 : 1;
+    return std::max(std::fabs(outline_.min[k]), std::fabs(outline_.max[k]));
   }
 
   // What the interval of a ray that matters covers of the outline's plane; of a conic sweep, everything.
@@ -282,7 +297,8 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   Rectangle outline_;
   std::vector<Segment> segments_;
   std::vector<Piece> pieces_;  // by segments
-  OutlineIndex index_;         // of the pieces
+  std::vector<Middle> middles_;
+  OutlineIndex index_;  // of the pieces
   std::unique_ptr<Walls> straight_;
 };
 

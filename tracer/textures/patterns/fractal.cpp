@@ -1,5 +1,4 @@
 // Mandelbrot, Julia and magnet fractals over the x-y plane.
-#include <complex>
 #include <limits>
 
 #include "tracer/textures/patterns/formulas.h"
@@ -8,31 +7,13 @@
 namespace verisim::textures {
 namespace {
 
-using Complex = std::complex<double>;
+#include "tracer/textures/patterns/fractal_orbit.inc"
 
-Complex multiply(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
-Complex divide(const Complex& a, const Complex& b) {
-  const double n = b.real() * b.real() + b.imag() * b.imag();
-  return {(a.real() * b.real() + a.imag() * b.imag()) / n, (a.imag() * b.real() - a.real() * b.imag()) / n};
-}
-
-Complex power(const Complex& z, int exponent) {
-  Complex result = z, square = z;
-  for (int n = exponent - 1; n > 0; n >>= 1) {
-    if (n & 1) result = multiply(result, square);
-    square = multiply(square, square);
-  }
-  return result;
-}
-
-double squared(const Complex& z) { return z.real() * z.real() + z.imag() * z.imag(); }
+using Complex = Place<double>;
 
 // Types 2 to 5: a coordinate of the place where an orbit ends, or its square.
 double end_of_orbit(int type, const Complex& z) {
-  const double x = type % 2 == 0 ? z.real() : z.imag();
+  const double x = type % 2 == 0 ? z.r : z.i;
   return type < 4 ? x : x * x;
 }
 
@@ -64,7 +45,7 @@ double exterior(const scene::FractalParams& f, const Complex& z, int k) {
 }
 
 double interior(const scene::FractalParams& f, const Complex& z, double smallest) {
-  const double a = z.real(), b = z.imag(), factor = f.interior_factor;
+  const double a = z.r, b = z.i, factor = f.interior_factor;
   switch (f.interior_type) {
     case 0:
       return factor;
@@ -90,7 +71,7 @@ class Rounds {
   // How many of `left` iterations change where the orbit ends and what its smallest value is; it is at z after
   // iteration k = 0, 1 ...
   int needed(const Complex& z, int k, int left) {
-    if (z == place_) return left % (k - at_);
+    if (z.r == place_.r && z.i == place_.i) return left % (k - at_);
     if (k == next_) place_ = z, at_ = k, next_ = k < (1 << 29) ? 2 * k : 0;
     return left;
   }
@@ -100,48 +81,58 @@ class Rounds {
   int at_ = 0, next_ = 1;
 };
 
-Complex next(const scene::FractalParams& f, const Complex& z, const Complex& c) {
-  return (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag())
-                          : power(z, f.exponent)) +
-         c;
-}
-
-double polynomial(const scene::FractalParams& f, Complex z, const Complex& c) {
-  double smallest = squared(z);
+template <class Step>
+double follow(const scene::FractalParams& f, const Step& step, Complex z, const Complex& c, double smallest) {
   Rounds rounds;
   int end = f.iterations;
   for (int k = 0; k < end; ++k) {
-    z = next(f, z, c);
+    z = step.next(z, c);
     const double size = squared(z);
-    if (size > 4) return exterior(f, z, k);
+    if (step.ends(z, size)) return exterior(f, z, k);
     smallest = std::min(smallest, size);
     end = k + 1 + rounds.needed(z, k, end - k - 1);
   }
   return interior(f, z, smallest);
 }
 
-double magnet(const scene::FractalParams& f, Complex z, const Complex& c, double smallest) {
-  Rounds rounds;
-  int end = f.iterations;
-  for (int k = 0; k < end; ++k) {
-    Complex numerator, denominator;
-    const Complex z2 = multiply(z, z);
-    if (f.magnet == 1) {
-      numerator = z2 + c - 1.0;
-      denominator = 2.0 * z + c - 2.0;
-    } else {
-      const Complex c1 = c - 1.0, c2 = c - 2.0, c12 = multiply(c1, c2);
-      numerator = multiply(z2, z) + 3.0 * multiply(c1, z) + c12;
-      denominator = 3.0 * z2 + 3.0 * multiply(c2, z) + c12 + 1.0;
+// Where the orbit of a point begins, and what is added in each step.
+struct Start {
+  Complex z, c;
+  double smallest;
+};
+Start start(const scene::FractalParams& f, scene::PatternKind kind, double x, double y) {
+  const Complex point{x, y}, julia{f.julia.x, f.julia.y};
+  switch (kind) {
+    case scene::PatternKind::mandel:
+      return {point, point, squared(point)};
+    case scene::PatternKind::magnet_mandel:
+      return {{0, 0}, point, 10000};
+    default:
+      return {point, julia, squared(point)};
+  }
+}
+// The type of the magnetic model; 0: none.
+int magnet_of(const scene::FractalParams& f, scene::PatternKind kind) {
+  return kind == scene::PatternKind::magnet_mandel || kind == scene::PatternKind::magnet_julia ? f.magnet : 0;
+}
+
+// What eight orbits that were followed together come to.
+template <class Step>
+void end(const scene::FractalParams& f, const Step& step, unsigned escaped, const Orbits& o, int count,
+         double* values) {
+  for (int k = 0; k < count; ++k) {
+    Complex z{o.zr[k], o.zi[k]};
+    if (escaped >> k & 1) {
+      values[k] = exterior(f, z, o.k[k]);
+      continue;
     }
-    const Complex quotient = divide(numerator, denominator);
-    z = multiply(quotient, quotient);
-    const double size = squared(z);
-    if (size > 10000 || squared(z - 1.0) < 1e-4) return exterior(f, z, k);
-    smallest = std::min(smallest, size);
-    end = k + 1 + rounds.needed(z, k, end - k - 1);
+    double smallest = o.smallest[k];
+    for (int left = o.left[k]; left > 0; --left) {
+      z = step.next(z, {o.cr[k], o.ci[k]});
+      smallest = std::min(smallest, squared(z));
+    }
+    values[k] = interior(f, z, smallest);
   }
-  return interior(f, z, smallest);
 }
 
 }  // namespace
@@ -164,17 +155,9 @@ double mandel(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
 }  // namespace formulas
 
 double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p) {
-  const Complex point(p.x, p.y), julia(f.julia.x, f.julia.y);
-  switch (kind) {
-    case scene::PatternKind::mandel:
-      return polynomial(f, point, point);
-    case scene::PatternKind::julia:
-      return polynomial(f, point, julia);
-    case scene::PatternKind::magnet_mandel:
-      return magnet(f, {0, 0}, point, 10000);
-    default:
-      return magnet(f, point, julia, squared(point));
-  }
+  const Start s = start(f, kind, p.x, p.y);
+  return with_step(magnet_of(f, kind), f.exponent,
+                   [&](const auto& step) { return follow(f, step, s.z, s.c, s.smallest); });
 }
 
 void fractal_batch(const scene::FractalParams& f, scene::PatternKind kind, int count, const double* x, const double* y,
@@ -184,24 +167,12 @@ void fractal_batch(const scene::FractalParams& f, scene::PatternKind kind, int c
     Orbits o;
     for (int k = 0; k < 8; ++k) {
       const int i = first + std::min(k, here - 1);
-      o.zr[k] = x[i], o.zi[k] = y[i];
-      const bool julia = kind == scene::PatternKind::julia;
-      o.cr[k] = julia ? f.julia.x : x[i], o.ci[k] = julia ? f.julia.y : y[i];
+      const Start s = start(f, kind, x[i], y[i]);
+      o.zr[k] = s.z.r, o.zi[k] = s.z.i, o.cr[k] = s.c.r, o.ci[k] = s.c.i, o.smallest[k] = s.smallest;
     }
-    const unsigned escaped = kernels.follow(f.exponent, f.iterations, (1u << here) - 1, o);
-    for (int k = 0; k < here; ++k) {
-      Complex z(o.zr[k], o.zi[k]);
-      if (escaped >> k & 1) {
-        values[first + k] = exterior(f, z, o.k[k]);
-        continue;
-      }
-      double smallest = o.smallest[k];
-      for (int left = o.left[k]; left > 0; --left) {
-        z = next(f, z, {o.cr[k], o.ci[k]});
-        smallest = std::min(smallest, squared(z));
-      }
-      values[first + k] = interior(f, z, smallest);
-    }
+    const int magnet = magnet_of(f, kind);
+    const unsigned escaped = kernels.follow(magnet, f.exponent, f.iterations, (1u << here) - 1, o);
+    with_step(magnet, f.exponent, [&](const auto& step) { end(f, step, escaped, o, here, values + first); });
   }
 }
 

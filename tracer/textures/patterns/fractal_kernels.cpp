@@ -14,26 +14,14 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-struct Complex {
-  Packet r, i;
-};
-HWY_INLINE Complex multiply(const Complex& a, const Complex& b) {
-  return {a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r};
-}
-HWY_INLINE Complex power(const Complex& z, int exponent) {
-  if (exponent == 2) return {z.r * z.r - z.i * z.i, 2.0 * z.r * z.i};
-  Complex result = z, square = z;
-  for (int n = exponent - 1; n > 0; n >>= 1) {
-    if (n & 1) result = multiply(result, square);
-    square = multiply(square, square);
-  }
-  return result;
-}
+#include "tracer/textures/patterns/fractal_orbit.inc"
 
-unsigned follow(int exponent, int iterations, unsigned active, Orbits& o) {
-  Complex z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
-  const Complex c{load(o.cr), load(o.ci)};
-  Packet smallest = z.r * z.r + z.i * z.i;
+template <class Step>
+HWY_NOINLINE unsigned follow(const Step& step, int iterations, unsigned active, Orbits& o) {
+  using Places = Place<Packet>;
+  Places z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
+  const Places c{load(o.cr), load(o.ci)};
+  Packet smallest = load(o.smallest);
   const auto keep = [&](unsigned lanes, Orbits& to) VERISIM_INLINE_LAMBDA {
     const Mask here = Mask::of_bits(lanes);
     store(to.zr, select(here, z.r, load(to.zr))), store(to.zi, select(here, z.i, load(to.zi)));
@@ -42,10 +30,9 @@ unsigned follow(int exponent, int iterations, unsigned active, Orbits& o) {
   unsigned escaped = 0;
   int known_at = 0, next = 1;
   for (int k = 0; k < iterations && active != 0; ++k) {
-    const Complex p = power(z, exponent);
-    z = {p.r + c.r, p.i + c.i};
-    const Packet size = z.r * z.r + z.i * z.i;
-    const Mask out = size > 4.0, round = (z.r == known.r) & (z.i == known.i);
+    z = step.next(z, c);
+    const Packet size = squared(z);
+    const Mask out = step.ends(z, size), round = (z.r == known.r) & (z.i == known.i);
     const unsigned ended = bits(out | round) & active;
     if (ended != 0) [[unlikely]] {
       const unsigned left = bits(out) & ended;
@@ -62,6 +49,10 @@ unsigned follow(int exponent, int iterations, unsigned active, Orbits& o) {
   keep(active, o);
   for (unsigned rest = active; rest != 0; rest &= rest - 1) o.left[std::countr_zero(rest)] = 0;
   return escaped;
+}
+
+unsigned follow(int magnet, int exponent, int iterations, unsigned active, Orbits& o) {
+  return with_step(magnet, exponent, [&](const auto& step) { return follow(step, iterations, active, o); });
 }
 
 const OrbitKernels kKernels = {follow};

@@ -128,7 +128,10 @@ TEST(PatternProbes, OrbitsSideBySide) {
       FractalParams f;
       f.iterations = n % 9 == 0 ? 0 : 40 * n, f.exponent = 2 + n % 4, f.julia = {real(random), imaginary(random)};
       f.exterior_type = n % 9, f.exterior_factor = 3.5, f.interior_type = n % 7, f.interior_factor = 0.7;
-      const PatternKind kind = n % 2 ? PatternKind::julia : PatternKind::mandel;
+      constexpr PatternKind kKinds[] = {PatternKind::julia, PatternKind::mandel, PatternKind::magnet_julia,
+                                        PatternKind::magnet_mandel};
+      const PatternKind kind = kKinds[n % 4];
+      f.magnet = 1 + n / 4 % 2;
       double x[40], y[40], values[40];
       for (int i = 0; i < 40; ++i) x[i] = real(random), y[i] = imaginary(random);
       const int count = 33 + n % 8;

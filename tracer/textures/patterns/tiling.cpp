@@ -52,6 +52,9 @@ class Builder {
     tiling_ = {{{a.x, a.y}, {b.x, b.y}},
                {{b.y / determinant, -b.x / determinant}, {-a.y / determinant, a.x / determinant}},
                {},
+               false,
+               {0, 0},
+               0,
                false};
   }
 
@@ -363,35 +366,62 @@ const Tiling* periodic_tiling(int number) {
   static const std::array<Tiling, 24> tilings = [] {
     std::array<Tiling, 24> all;
     for (int n = 1; n <= 24; ++n) all[n - 1] = build(n);
+    // Measured on quarter coordinates (spec 05 9.1): larger x, or larger z first.
+    constexpr double kLean = 1e-13;
+    for (const int n : {3, 6, 11, 12, 15, 18}) all[n - 1].lean = {kLean, kLean / 2};
+    for (const int n : {5, 9}) all[n - 1].lean = {kLean / 8, kLean};
+    for (const int n : {9, 15}) all[n - 1].border = 1e-14;
+    all[2].exchanged = true;
     return all;
   }();
   return number >= 1 && number <= 24 ? &tilings[number - 1] : nullptr;
 }
 
-double evaluate_tiling(const Tiling& t, double x, double z) {
-  if (t.mirrored) {
-    x = std::fabs(x - std::floor(x / 6) * 6 - 3);
-    z = std::fabs(z - std::floor(z / 6) * 6 - 3);
+namespace {
+
+// From 0 at its border to 1 where it is flat; negative outside. Given up where it is at most `least`.
+double distance_within(const Tile& tile, double x, double z, double least) {
+  double nearest = 1;
+  for (const Tile::Edge& e : tile.edges) {
+    nearest = std::min(nearest, e.nx * x + e.nz * z - e.c);
+    if (nearest <= least) break;
   }
-  double u = x * t.inverse[0][0] + z * t.inverse[0][1], v = x * t.inverse[1][0] + z * t.inverse[1][1];
-  u -= std::floor(u);
-  v -= std::floor(v);
-  const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
+  return nearest;
+}
+
+// The tile that a point of the cell lies in, and how far within; null: the point is no number.
+std::pair<const Tile*, double> tile_at(const Tiling& t, double x, double z) {
   const Tile* holder = nullptr;
   double distance = -std::numeric_limits<double>::infinity();
   for (const Tile& tile : t.tiles) {
-    double nearest = 1;
-    for (const Tile::Edge& e : tile.edges) {
-      nearest = std::min(nearest, e.nx * px + e.nz * pz - e.c);
-      if (nearest <= distance) break;
-    }
+    const double nearest = distance_within(tile, x, z, distance);
     if (nearest <= distance) continue;
     distance = nearest;
     holder = &tile;
     if (distance > 0) break;
   }
+  return {holder, distance};
+}
+
+// Below 1 also for what is hardly below 0.
+double fraction(double v) { return std::min(v - std::floor(v), 1 - 0x1p-53); }
+
+}  // namespace
+
+double evaluate_tiling(const Tiling& t, double x, double z) {
+  const bool exchanged = t.exchanged && x == std::floor(x);
+  if (t.mirrored) {
+    x = std::fabs(x - std::floor(x / 6) * 6 - 3);
+    z = std::fabs(z - std::floor(z / 6) * 6 - 3);
+  }
+  double u = x * t.inverse[0][0] + z * t.inverse[0][1], v = x * t.inverse[1][0] + z * t.inverse[1][1];
+  u = fraction(u), v = fraction(v);
+  const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
+  auto [holder, distance] = tile_at(t, px, pz);
   if (!holder) return 0;  // not a number
-  const double value = holder->top - holder->step * std::max(distance, 0.0) + holder->offset;
+  if (!(distance > t.border)) holder = tile_at(t, px + t.lean.x, pz + t.lean.y).first, distance = 0;
+  const double top = exchanged ? 1.5 - holder->top : holder->top;
+  const double value = top - holder->step * distance + holder->offset;
   return std::max(value, holder->minimum);
 }
 

@@ -26,6 +26,10 @@ struct Tiling {
   double lattice[2][2], inverse[2][2];
   std::vector<Tile> tiles;
   bool mirrored = false;  // tiling 12: folded about the middle of a 6 x 6 cell first
+  // Whose a point on a border is: that of the tile in this direction, or, where it is zero, of the tile first listed.
+  Vec2 lean{0, 0};
+  double border = 0;       // how near to an edge is on it: more than 0 where the lattice has no exact coordinates
+  bool exchanged = false;  // tiling 3: its two classes are, where x is a whole number
 };
 
 // Built on first use; 1 <= number <= 24. Null for the Penrose tilings 25 .. 27.

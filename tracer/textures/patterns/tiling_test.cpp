@@ -48,6 +48,22 @@ TEST(Tiling, EqualsPovRay) {
           << "tiling " << n << " at point " << k;
 }
 
+// Whose borders are, and whole x in tiling 3, on quarter coordinates: POV-Ray's values, printed from single precision.
+TEST(Tiling, BordersBelongToTheTileThatPovRayTakes) {
+  struct Probe {
+    int number;
+    double x, z, value;
+  };
+  const Probe probes[] = {
+      {3, 0.25, 0, 0.5},     {5, 0.25, 0, 0.333333}, {5, -0.5, 0, 1},        {5, -3, 0, 0.666667},     {6, 0.25, 0, 1},
+      {6, 0, -0.5, 0.5},     {9, 0.25, 0, 1},        {9, -0.5, 0, 0.333333}, {11, 0, -0.25, 0.666667}, {11, 0, 0.25, 1},
+      {11, 1, 1, 0.333333},  {15, 0.25, 0, 0.5},     {15, -1, 0, 1},         {18, 0, -0.25, 0.5},      {18, 0, 0.25, 1},
+      {3, -2, -2, 0.767949}, {3, 1, 0.75, 0.299038}, {3, 1, -0.5, 0.566987}};
+  for (const Probe& p : probes)
+    EXPECT_NEAR(tiling(p.number, p.x, p.z), p.value, 1e-6) << p.number << " at " << p.x << ", " << p.z;
+  EXPECT_NEAR(tiling(18, -1e-16, 0.5), tiling(18, -1e-9, 0.5), 1e-6);
+}
+
 TEST(Tiling, TilesCoverThePlane) {
   // In every tiling a fine walk meets values from the edge (top of a class) down to the flat part, and never leaves (0,
   // 1].

@@ -39,7 +39,7 @@ struct CsgNode {
   Box3 box;    // where its surface is, a little larger
   Box3 solid;  // not of simple solids
   const Shape* shape = nullptr;
-  const Convex* convex = nullptr;  // of the core
+  const Convex* convex = nullptr;               // of the core
   const StraightPrism::Walls* walls = nullptr;  // of a prism
 };
 

@@ -60,12 +60,14 @@ std::size_t near(const IrradiancePacket* packets, std::size_t count, const Irrad
     const auto turned = [&s](int axis) VERISIM_INLINE_LAMBDA { return whole(s.normal[axis]); };
     const FloatPacket dx = along(0) - px, dy = along(1) - py, dz = along(2) - pz;
     const FloatPacket reach = of_upper_halves(s.mean_distance) * (units * most) + rounding;
+    const FloatPacket squared = dx * dx + dy * dy + dz * dz;
+    unsigned met = bits(squared <= reach * reach);
+    if (count - first < kCount) met &= (1u << (count - first)) - 1u;
+    if (met == 0) continue;
     const FloatPacket turn = one - (turned(0) * nx + turned(1) * ny + turned(2) * nz);
     const FloatPacket left = most - 2.0f * sqrt(max(turn, FloatPacket(0.0f)));
     const FloatPacket within = of_upper_halves(s.widest) * (units * left) + rounding;
-    const FloatPacket squared = dx * dx + dy * dy + dz * dz;
-    unsigned met = bits((squared <= reach * reach) & (squared <= within * within) & (FloatPacket(0.0f) <= left));
-    if (count - first < kCount) met &= (1u << (count - first)) - 1u;
+    met &= bits((squared <= within * within) & (FloatPacket(0.0f) <= left));
     for (; met != 0; met &= met - 1) samples[found++] = s.sample[std::countr_zero(met)];
   }
   return found;

@@ -286,6 +286,8 @@ class Tracer {
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
                   ShadowBatch& batch);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
+  // What of the light from `towards` passes a surface's textures.
+  Rgb filter_at(const shapes::Hit& hit, const Vec3& towards);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
                      const Frame* frame);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color);

@@ -187,6 +187,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
                 : opaque == 0                               ? Opacity::transparent
                                                             : Opacity::mixed;
     if (lets_light_through(e)) w.transparent_shadows = true;
+    if (o.interior) w.interiors = true;
     e.infinite = scene::is_infinite(o);
     const Box3 box = e.box();
 
@@ -412,6 +413,7 @@ bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
 void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const {
   const Impl& w = *impl_;
   interiors.clear();
+  if (!w.interiors) return;  // lens rays ask again and again
   thread_local std::vector<std::uint32_t> around;
   around.assign(w.unbounded.begin(), w.unbounded.end());
   for (const Surrounding& s : w.around) around.push_back(s.entry);

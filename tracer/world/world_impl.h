@@ -157,6 +157,7 @@ struct World::Impl {
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Surrounding> around;           // beside the tree, too
   std::vector<Enclosure> enclosures;
+  bool interiors = false;          // some object has one
   bool only_enclosures = false;    // whatever is not opaque has one
   std::vector<Candidate> bounded;  // of each box of the tree
   Bvh tree;

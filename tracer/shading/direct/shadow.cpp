@@ -5,6 +5,7 @@
 #include "tracer/shading/tracer.h"
 #include "tracer/shapes/implicit/last_miss.h"
 #include "tracer/bvh/slab_test.h"
+#include "tracer/textures/evaluation/pigment.h"
 
 namespace verisim::shading {
 namespace {
@@ -154,6 +155,20 @@ void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, doubl
             .passed;
 }
 
+// What passes a surface of plain colours alone, which hang neither on the place nor on the side: nothing need be known
+// of the hit. False: it is another one.
+static bool plain_filter(const shapes::Surface& surface, Rgb& filter) {
+  if (surface.shows_several() || surface.interior_texture || surface.interior->caustics != 0) return false;
+  const textures::CompiledTexture& texture = *surface.texture;
+  if (texture.patterned() || texture.opaque) return false;
+  filter = Rgb(1);
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    if (layer.pigment->source != textures::CompiledPigment::Source::plain) return false;
+    filter *= layer.pigment->color.transmission();
+  }
+  return true;
+}
+
 // Multiplies by the filter of one surface; true when nothing passes.
 bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color) {
   const shapes::Surface& surface = *hit.shape->surface;
@@ -165,27 +180,33 @@ bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const
     color = {};
     return true;
   }
-  SurfaceHit at(hit, ray.ray.direction, 0, 0);
-  const Vec3 p = at.pattern_point();
   Rgb filter;
-  scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
-  if (weighted_.empty()) {
-    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
-    if (texture) filter = texture_filter(at, *texture, p, ray.ray.direction, nullptr);
-  } else {
-    const std::size_t first = selection_.size();
-    selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());
-    const std::size_t end = selection_.size();
-    for (std::size_t i = first; i < end; ++i) {
-      const textures::WeightedTexture entry = selection_[i];
-      if (entry.weight >= scene_.adc_bailout)
-        filter += texture_filter(at, *entry.texture, p, ray.ray.direction, nullptr) * entry.weight;
-    }
-    selection_.resize(first);
-  }
+  if (!plain_filter(surface, filter)) filter = filter_at(hit, ray.ray.direction);
   if (surface.interior->fade_power > 0) filter *= fade_factor(ray.interiors, *surface.interior, hit.t);
   color *= filter;
   return color.max_abs() < kDark;
+}
+
+Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
+  const shapes::Surface& surface = *hit.shape->surface;
+  SurfaceHit at(hit, towards, 0, 0);
+  const Vec3 p = at.pattern_point();
+  scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
+  if (weighted_.empty()) {
+    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    return texture ? texture_filter(at, *texture, p, towards, nullptr) : Rgb();
+  }
+  const std::size_t first = selection_.size();
+  selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());
+  const std::size_t end = selection_.size();
+  Rgb filter;
+  for (std::size_t i = first; i < end; ++i) {
+    const textures::WeightedTexture entry = selection_[i];
+    if (entry.weight >= scene_.adc_bailout)
+      filter += texture_filter(at, *entry.texture, p, towards, nullptr) * entry.weight;
+  }
+  selection_.resize(first);
+  return filter;
 }
 
 Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,

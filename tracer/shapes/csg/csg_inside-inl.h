@@ -55,21 +55,22 @@ unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
   }
 }
 
-// Of `lanes`, those whose points are within a prism's outline. As Prism::covers.
+// Of `lanes`, those whose points are within a prism's outline. As Prism::covers: segments that the line from a point
+// along +x may meet count where they do.
 template <class Number>
 unsigned covered(const CsgNode& n, unsigned lanes, const Number& x, const Number& z) {
   const Rectangle& r = n.walls->outline;
   lanes &= bits((x <= r.max.x) & (x >= r.min.x) & (z >= r.min.y) & (z <= r.max.y));
-  unsigned odd = 0, unsure = 0;
+  unsigned odd = 0;
   for (const StraightSegment& w : n.walls->segments) {
     const typename Number::Mask level = (z >= w.z_low) & (z <= w.z_high) & (x <= w.x_high);
     const unsigned met = bits(level) & lanes, right = w.z_low != w.z_high ? met & bits(x < w.x_low) : 0;
-    odd ^= right, unsure |= met & ~right;
+    odd ^= right;
+    const unsigned beside = met & ~right;
+    if (beside == 0 || std::fabs(w.dz) < kEpsilon) continue;
+    const Number at = -(Number(w.z) - z) / w.dz;
+    odd ^= beside & bits((at >= 0) & (at <= 1) & (w.dx * at + w.x >= x));
   }
-  each_lane(unsure, [&](int k) {
-    const unsigned bit = 1u << k;
-    odd = n.prism->covers(x[k], z[k]) ? odd | bit : odd & ~bit;
-  });
   return odd;
 }
 

@@ -57,7 +57,7 @@ struct CsgTree::Builder {
       test_cost = (plane ? 1 : cone || n.simple.quadric ? 3 : 2) + (n.simple.matrix ? 2 : 0);
     } else if (const auto* prism = dynamic_cast<const StraightPrism*>(&shape); prism && prism->straight_walls()) {
       n.kind = CsgNode::Kind::prism;
-      n.prism = prism, n.walls = prism->straight_walls();
+      n.walls = prism->straight_walls();
       n.boxed = accel::is_finite(n.box);
       computes = true;
       test_cost = 10;

@@ -39,9 +39,8 @@ struct CsgNode {
   Box3 box;    // where its surface is, a little larger
   Box3 solid;  // not of simple solids
   const Shape* shape = nullptr;
-  const Convex* convex = nullptr;  // of the core
-  const StraightPrism* prism = nullptr;
-  const StraightPrism::Walls* walls = nullptr;  // of the prism
+  const Convex* convex = nullptr;               // of the core
+  const StraightPrism::Walls* walls = nullptr;  // of a prism
 };
 
 // A hit survives if it is inside (or outside) of another node.

@@ -201,7 +201,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   const Walls* straight_walls() const override { return straight_.get(); }
   // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts
   // it twice (spec 03 section 8).
-  bool covers(double x, double z) const override {
+  bool covers(double x, double z) const {
     if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
     int count = 0;
     std::size_t last = segments_.size();

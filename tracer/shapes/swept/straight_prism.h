@@ -28,8 +28,6 @@ class StraightPrism {
   };
   // Null: it is conic, clipped, has curves or too many segments.
   virtual const Walls* straight_walls() const = 0;
-  // Whether a point is within the outline.
-  virtual bool covers(double x, double z) const = 0;
 
  protected:
   ~StraightPrism() = default;

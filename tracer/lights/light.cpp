@@ -127,8 +127,9 @@ Light::Axes Light::axes(const Vec3& l) const {
   if (!source_->orient) return {source_->axis1, source_->axis2};
   const Vec3 e = std::fabs(std::fabs(l.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
   const double size = length(source_->axis1);
-  const Vec3 a1 = size * normalize(cross(l, e));
-  return {a1, size * normalize(cross(l, a1))};
+  // Divided by their lengths, unlike other vectors (spec 06 8.1).
+  const Vec3 across = cross(l, e), a1 = across / length(across), up = cross(l, a1);
+  return {size * a1, size * (up / length(up))};
 }
 
 Vec3 Light::offset(const Axes& axes, double u, double v) const {

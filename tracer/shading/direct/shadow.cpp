@@ -15,6 +15,13 @@ bool box_passes(const shapes::Shape& shape, const Ray& ray) {
   return !shape.object->as<scene::Csg>() || accel::slab_test(shape.object->bounds).passes(ray);
 }
 
+// What is asked before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
+// yet, what deeper ones do. `last` is in the pair of both.
+const shapes::Shape* asked_first(const shapes::Shape* const* last, int surface_level) {
+  if (!last || *last || surface_level > 1) return last ? *last : nullptr;
+  return last[1];
+}
+
 }  // namespace
 
 Rgb Tracer::shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray,
@@ -109,7 +116,8 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
   const shapes::Shape** const last = last_blocker(query);
   RayState ray = query.eye;
   ray.ray = {p, towards};
-  if (last && *last && filter_by_remembered(query, **last, distance, ray, color)) {
+  const shapes::Shape* const remembered = asked_first(last, query.eye.surface_level());
+  if (remembered && filter_by_remembered(query, *remembered, distance, ray, color)) {
     color = {};
     return;
   }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "tracer/math/polynomial.h"
+#include "tracer/shapes/first_hit.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/scratch.h"
@@ -96,6 +97,75 @@ class Lathe final : public SearchPrimitive<Lathe> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
+    if (keeps_first_hit(sink))
+      add_first_hit(*this, guards(), sink, [&](NearestHit& nearest) { search(ray, nearest); });
+    else
+      search(ray, sink);
+  }
+
+  template <class HitOf>
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    if (!(t_min > kFirstHit)) return search_packet(rays, t_min, t_max, hit_of, any);
+    Hit first[RayPacket::kCount];
+    unsigned found = search_packet(
+        rays, kFirstHit, t_max, [&](int k) -> Hit& { return first[k]; }, false);
+    each_lane(found, [&](int k) {
+      if (first[k].t >= t_min)
+        hit_of(k) = first[k];
+      else
+        found &= ~(1u << k);
+    });
+    return found;
+  }
+
+  bool contains(const Vec3& point) const {
+    const Vec3 p = local(point);
+    if (p.y < range_.y_low || p.y > range_.y_high) return false;
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
+    if (rho < range_.r_low || rho > range_.r_high) return false;
+    int count = 0;
+    for (const Segment& s : segments_) {
+      if (p.y < s.y_low || p.y > s.y_high) continue;
+      count += s.curve.count_beyond(height, p.y, rho, sturm_);
+    }
+    return count & 1;
+  }
+
+  Vec3 geometric_normal(const Hit& hit) const {
+    const Vec3 p = local(hit.point);
+    const double rho2 = p.x * p.x + p.z * p.z;
+    if (!(rho2 > kEpsilon)) return world_normal({0, 1, 0});
+    const CurveSegment& s = segments_[static_cast<std::size_t>(hit.part)].curve;
+    const double dy = s.slope(height, hit.u);
+    return world_normal({dy * p.x, -s.slope(radius, hit.u) * std::sqrt(rho2), dy * p.z});
+  }
+
+  Vec2 uv(const Hit& hit) const override {
+    const Vec3 p = local(hit.point);
+    return {turn_fraction(p.x, p.z), std::min(1.0, (hit.part + hit.u) / static_cast<double>(segments_.size()))};
+  }
+
+ private:
+  struct Segment {
+    CurveSegment curve;
+    double y_low, y_high;  // its heights
+  };
+  // Where lane `lane` of a packet may meet a segment.
+  struct Candidate {
+    int lane;
+    double t;
+    std::size_t segment;
+    friend bool operator<(const Candidate& a, const Candidate& b) {
+      return a.lane != b.lane ? a.lane < b.lane : a.t < b.t;
+    }
+  };
+  // Relative to the depth: how far quick roots may lie beside those of POV-Ray.
+  static constexpr double kDoubt = 1e-5;
+
+  struct Solver;
+
+  template <class Sink>
+  void search(const Ray& ray, Sink& sink) const {
     const Solver solver(unit_local(ray), sturm_);
     const std::optional<LathePassage> passage = this->passage(solver, sink.lower(), sink.upper());
     if (!passage) return;
@@ -108,7 +178,7 @@ class Lathe final : public SearchPrimitive<Lathe> {
   }
 
   template <class HitOf>
-  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+  unsigned search_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
     LathePacket packet;
@@ -167,51 +237,6 @@ class Lathe final : public SearchPrimitive<Lathe> {
     return found;
   }
 
-  bool contains(const Vec3& point) const {
-    const Vec3 p = local(point);
-    if (p.y < range_.y_low || p.y > range_.y_high) return false;
-    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
-    if (rho < range_.r_low || rho > range_.r_high) return false;
-    int count = 0;
-    for (const Segment& s : segments_) {
-      if (p.y < s.y_low || p.y > s.y_high) continue;
-      count += s.curve.count_beyond(height, p.y, rho, sturm_);
-    }
-    return count & 1;
-  }
-
-  Vec3 geometric_normal(const Hit& hit) const {
-    const Vec3 p = local(hit.point);
-    const double rho2 = p.x * p.x + p.z * p.z;
-    if (!(rho2 > kEpsilon)) return world_normal({0, 1, 0});
-    const CurveSegment& s = segments_[static_cast<std::size_t>(hit.part)].curve;
-    const double dy = s.slope(height, hit.u);
-    return world_normal({dy * p.x, -s.slope(radius, hit.u) * std::sqrt(rho2), dy * p.z});
-  }
-
-  Vec2 uv(const Hit& hit) const override {
-    const Vec3 p = local(hit.point);
-    return {turn_fraction(p.x, p.z), std::min(1.0, (hit.part + hit.u) / static_cast<double>(segments_.size()))};
-  }
-
- private:
-  struct Segment {
-    CurveSegment curve;
-    double y_low, y_high;  // its heights
-  };
-  // Where lane `lane` of a packet may meet a segment.
-  struct Candidate {
-    int lane;
-    double t;
-    std::size_t segment;
-    friend bool operator<(const Candidate& a, const Candidate& b) {
-      return a.lane != b.lane ? a.lane < b.lane : a.t < b.t;
-    }
-  };
-  // Relative to the depth: how far quick roots may lie beside those of POV-Ray.
-  static constexpr double kDoubt = 1e-5;
-
-  struct Solver;
   // Where a ray is within the outermost cylinder, between two world distances; nothing: nowhere.
   std::optional<LathePassage> passage(const Solver& solver, double lower, double upper) const {
     const auto& [l, r, m, c, sturm] = solver;

@@ -8,6 +8,7 @@
 
 #include "tracer/math/matrix_inverse.h"
 #include "tracer/math/polynomial.h"
+#include "tracer/shapes/first_hit.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
@@ -94,33 +95,11 @@ class Sor final : public Primitive<Sor> {
   void intersections(const Ray& ray, Sink& sink) const {
     if (segments_.empty()) return;
     const LocalRay l = unit_local(ray);
-    const Vec3 &p = l.origin, &d = l.direction;
-    const auto report = [&](double t, std::int32_t part) {
-      const double depth = t / l.scale;
-      if (depth > kNearest && depth < kFarthest)
-        sink.add(
-            depth, [&] { return ray.at(depth); }, part);
-    };
-    each_end(l, report);
-    const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
-    double near = 0, far = kFarthest * l.scale;  // within the largest radius
-    if (r > 1e-20) {
-      const double discriminant = m * m - r * (c - outer2_);
-      if (!(discriminant >= 0)) return;
-      const double root = std::sqrt(discriminant);
-      near = std::max(near, (-m - root) / r), far = std::min(far, (-m + root) / r);
-    } else if (!(c <= outer2_)) {
-      return;
-    }
-    for (const Segment& s : segments_) {
-      if (!enters(s, p.y, d.y, near, far, r, m, c)) continue;
-      double roots[3];
-      const int n = hits_of(s, p, d, roots);
-      // Where a root lies along the ray does not matter, false ones are seen.
-      for (int k = 0; k < n; ++k)
-        if (const double y = p.y + roots[k] * d.y; y >= s.low && y <= s.high)
-          report(roots[k], static_cast<std::int32_t>(&s - segments_.data()));
-    }
+    each_end(l, [&](double t, std::int32_t part) { add(ray, t / l.scale, part, sink); });
+    if (keeps_first_hit(sink))  // of the curve; the ends count by themselves
+      add_first_hit(*this, guards(), sink, [&](NearestHit& nearest) { search(ray, l, nearest); });
+    else
+      search(ray, l, sink);
   }
 
   bool contains(const Vec3& point) const {
@@ -149,6 +128,37 @@ class Sor final : public Primitive<Sor> {
   }
 
  private:
+  template <class Sink>
+  static void add(const Ray& ray, double depth, std::int32_t part, Sink& sink) {
+    if (depth > kNearest && depth < kFarthest)
+      sink.add(
+          depth, [&] { return ray.at(depth); }, part);
+  }
+  // The hits of the curve.
+  template <class Sink>
+  void search(const Ray& ray, const LocalRay& l, Sink& sink) const {
+    const Vec3 &p = l.origin, &d = l.direction;
+    const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
+    double near = 0, far = kFarthest * l.scale;  // within the largest radius
+    if (r > 1e-20) {
+      const double discriminant = m * m - r * (c - outer2_);
+      if (!(discriminant >= 0)) return;
+      const double root = std::sqrt(discriminant);
+      near = std::max(near, (-m - root) / r), far = std::min(far, (-m + root) / r);
+    } else if (!(c <= outer2_)) {
+      return;
+    }
+    for (const Segment& s : segments_) {
+      if (!enters(s, p.y, d.y, near, far, r, m, c)) continue;
+      double roots[3];
+      const int n = hits_of(s, p, d, roots);
+      // Where a root lies along the ray does not matter, false ones are seen.
+      for (int k = 0; k < n; ++k)
+        if (const double y = p.y + roots[k] * d.y; y >= s.low && y <= s.high)
+          add(ray, roots[k] / l.scale, static_cast<std::int32_t>(&s - segments_.data()), sink);
+    }
+  }
+
   struct End {
     double y = 0, radius2 = 0;
   };

@@ -13,7 +13,7 @@ Vec3 vector(const Pixel& p) { return {p[0], p[1], p[2]}; }
 double cosine(const Vec3& light, const Vec3& point, const Vec3& normal) {
   const Vec3 to = light - point;
   const double far = verisim::length(to);
-  return far > 0 ? dot(to, normal) / far : 0;
+  return far > 0 ? verisim::dot(to, normal) / far : 0;
 }
 
 // The pixels that show a surface, each with what the light would make of it straight from above.
@@ -125,7 +125,7 @@ std::optional<MovedLight> moved_light(const Vec3& from, const Pixels& light, con
     if (better == best) stride /= 2;
     best = better;
   }
-  const Vec3 before = normalize(from - middle), after = normalize(best - middle);
+  const Vec3 before = verisim::normalize(from - middle), after = verisim::normalize(best - middle);
   if (least > kClearly * start || verisim::length(after - before) < kLeastAngle) return std::nullopt;
   return MovedLight{best, lit.light_from(best, light.size())};
 }

@@ -42,16 +42,16 @@ TEST(ErrorBound, HoldsWhatNearValuesAreOffBy) {
     for (int set = 0; set < simd::kInstructionSets; ++set) {
       const ProgramKernels* const kernels = packet_kernels(set);
       if (!kernels) continue;
-      constexpr std::size_t kWidth = ProgramKernels::kNarrow, kMax = 64;
-      alignas(64) double exact[kMax * kWidth] = {}, near[kMax * kWidth] = {};
+      constexpr std::size_t kNarrow = ProgramKernels::kNarrow, kMax = 64;
+      alignas(64) double exact[kMax * kNarrow] = {}, near[kMax * kNarrow] = {};
       ASSERT_LE(program.registers(), kMax);
-      for (double* r : {exact, near}) program.set_constants(r, kWidth);
+      for (double* r : {exact, near}) program.set_constants(r, kNarrow);
       for (int n = 0; n < 2000; ++n) {
-        for (std::size_t k = 0; k < 3 * kWidth; ++k) exact[k] = near[k] = -1.5 + 2.5 * unit(random);
+        for (std::size_t k = 0; k < 3 * kNarrow; ++k) exact[k] = near[k] = -1.5 + 2.5 * unit(random);
         kernels->narrow(program.code(), {}, exact, 255), kernels->nearly(program.code(), {}, near, 255);
-        for (std::size_t k = 0; k < kWidth; ++k) {
-          const double a = exact[program.result_register() * kWidth + k],
-                       b = near[program.result_register() * kWidth + k];
+        for (std::size_t k = 0; k < kNarrow; ++k) {
+          const double a = exact[program.result_register() * kNarrow + k],
+                       b = near[program.result_register() * kNarrow + k];
           ASSERT_TRUE(a == b || std::fabs(a - b) <= most || (std::isnan(a) && std::isnan(b)))
               << (&expression - expressions.data()) << ": " << a << ' ' << b;
           if (most > 0) closest = std::max(closest, std::fabs(a - b) / most);

@@ -404,7 +404,7 @@ std::pair<const Tile*, double> tile_at(const Tiling& t, double x, double z) {
 }
 
 // Below 1 also for what is hardly below 0.
-double fraction(double v) { return std::min(v - std::floor(v), 1 - 0x1p-53); }
+double cell_fraction(double v) { return std::min(v - std::floor(v), 1 - 0x1p-53); }
 
 }  // namespace
 
@@ -415,7 +415,7 @@ double evaluate_tiling(const Tiling& t, double x, double z) {
     z = std::fabs(z - std::floor(z / 6) * 6 - 3);
   }
   double u = x * t.inverse[0][0] + z * t.inverse[0][1], v = x * t.inverse[1][0] + z * t.inverse[1][1];
-  u = fraction(u), v = fraction(v);
+  u = cell_fraction(u), v = cell_fraction(v);
   const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
   auto [holder, distance] = tile_at(t, px, pz);
   if (!holder) return 0;  // not a number

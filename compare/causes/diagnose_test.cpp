@@ -402,6 +402,32 @@ TEST(Diagnose, FogOfAnotherDensity) {
   EXPECT_THAT(all[0].detail, testing::ContainsRegex("1.(39|40|41) times as dense"));
 }
 
+// What is seen through one object is half as bright in the reference.
+TEST(Diagnose, TransparencyIsToldWithItsObject) {
+  PixelTags tags = with_tag("object", "plane (s.pov:1)");
+  tags.tags = {{"object", "plane (s.pov:1)"}, {"object", "box (s.pov:3)"}}, tags.sets = {{0}, {1}};
+  PixelTags::Part through{"transparency", "", {}}, own{"own light", "ambient and emission", {}};
+  const auto glass = [](int x, int y) { return x >= 10 && x < 40 && y >= 20 && y < 50; };
+  for (int i = 0; i < 96 * 72; ++i) {
+    tags.set_of[static_cast<std::size_t>(i)] = glass(i % 96, i / 96);
+    for (int c = 0; c < 3; ++c) {
+      own.light.push_back(0.2f + 0.001f * static_cast<float>(i % 96 + 5 * c));
+      through.light.push_back(glass(i % 96, i / 96) ? 0.1f + 0.001f * static_cast<float>(i / 96) : 0);
+    }
+  }
+  tags.parts = {through, own};
+  const auto picture = [&](float part) {
+    return picture_of(96, 72, [&](int x, int y, int c) {
+      const auto i = static_cast<std::size_t>(3 * (y * 96 + x) + c);
+      return std::round(255 * linear_to_srgb(own.light[i] - (1 - part) * through.light[i]));
+    });
+  };
+  const std::vector<Suspicion> all = diagnose(picture(0.5f), picture(1), nullptr, &tags);
+  const auto told = std::find_if(all.begin(), all.end(), [](const Suspicion& s) { return s.what == "transparency"; });
+  ASSERT_NE(told, all.end());
+  EXPECT_THAT(told->detail, testing::ContainsRegex("box \\(s.pov:3\\): (99|100).[0-9] % more"));
+}
+
 // The sky that only mirrors show.
 TEST(Diagnose, TheSkyInMirrorsIsTheBackground) {
   PixelTags tags = with_tag("secondary object", "sky or background by a secondary ray");

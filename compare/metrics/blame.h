@@ -29,8 +29,10 @@ struct PixelTags {
   std::vector<Tree> trees;  // of the pixels that were asked for
   // A term of the pixels' colour, in linear light: what one light adds, what is seen in mirrors, ... Terms overlap.
   struct Part {
-    std::string kind;  // "light", "highlights", "own light", "reflection", "transparency", "radiosity", "fog" ...
-    std::string name;  // "light at <0, 5, 0>"
+    // "light", "highlights", "own light", "reflection", "transparency", "radiosity", "fog" ...; "light elsewhere": the
+    // part of the light of that name that mirrors and glass show
+    std::string kind;
+    std::string name;          // "light at <0, 5, 0>"
     std::vector<float> light;  // red, green and blue of each pixel of set_of
   };
   std::vector<Part> parts = {};

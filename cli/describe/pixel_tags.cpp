@@ -159,6 +159,17 @@ void TagWitness::describe_coincidence(const shading::RayState& ray, double t) {
   add("coincidence", names.size() > 1 ? fmt::format("{}", fmt::join(names, " and ")) : "copies of " + *names.begin());
 }
 
+// What stands between the point that is seen and a light, nearest to the point, be it opaque or not.
+void TagWitness::describe_caster(const shading::LightDirection& to_light) {
+  constexpr double kNearest = 1e-3;
+  if (!world_ || !seen_) return;
+  shapes::Hit hit;
+  const Ray ray{seen_->point, to_light.towards};
+  if (!world_->intersect(ray, shapes::RayKind::shadow, kNearest, std::fabs(to_light.distance), hit)) return;
+  if (hit.shape->surface && hit.shape->surface->object)
+    add("caster", placed_object_name(*hit.shape->surface->object, origins_));
+}
+
 void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hit) {
   parts_.ray_started(ray, hit);
   ++depth_;
@@ -201,6 +212,7 @@ void TagWitness::light(const shading::Light& light, const shading::LightDirectio
                        const Rgb& arriving, const Rgb& added, const Rgb& highlight) {
   parts_.light(light, direction, tested, arriving, added, highlight);
   if (gathering_ || depth_ != 1) return;
+  if (tested) describe_caster(direction);
   const std::string name = light_name(light);
   if (added.max_abs() > 0)
     add("light", "lit by the " + name);

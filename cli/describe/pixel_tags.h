@@ -42,6 +42,7 @@ class TagWitness : public shading::Observer {
   void describe(const scene::Object& object, bool seen_directly, const shading::RayState& ray);
 
   void describe_coincidence(const shading::RayState& ray, double t);
+  void describe_caster(const shading::LightDirection& to_light);
   void know_parents(const scene::Object& parent);
   std::string with_place(const scene::Object& object) const;
 

@@ -27,6 +27,15 @@ void leave_to_objects(Suspicions& all) {
       if (is_one_of(kFollow, s)) s.sure *= kUnlikely;
 }
 
+// Whether all wrong pixels show one object: then it is hardly the whole picture that has a fault.
+bool one_is_wrong(const Case& c, const PixelTags& tags) {
+  constexpr double kAll = 0.97;
+  return std::any_of(tags.tags.begin(), tags.tags.end(), [&](const PixelTags::Tag& tag) {
+    if (tag.kind != "copy") return false;
+    return part_of_wrong(c, c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; })) > kAll;
+  });
+}
+
 }  // namespace
 
 std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test, const PixelTags* reference_tags,
@@ -34,11 +43,18 @@ std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test, c
   const Case c(reference, test, {reference_tags, test_tags});
   Suspicions all;
   if (!(c.total > 0) || c.wrong_count == 0) return all;
-  for (const auto family : {suspect_tone, suspect_filtering, suspect_regions, suspect_specks}) family(c, all);
+  for (const auto family : {suspect_tone, suspect_filtering}) family(c, all);
+  const bool of_one_object = !c.tags.both() && c.tags.any() && one_is_wrong(c, *c.tags.any());
+  if (of_one_object)
+    for (Suspicion& s : all) s.sure *= kUnlikely;
+  for (const auto family : {suspect_regions, suspect_specks}) family(c, all);
   // What happens to finished pictures is no suspect where the programs tell the difference before.
   if (told_by_terms(c).value_or(0) > kTold)
     for (Suspicion& s : all) s.sure *= kUnlikely;
-  for (const auto family : {suspect_framing, suspect_objects, suspect_terms, suspect_features}) family(c, all);
+  Suspicions framing;
+  suspect_framing(c, framing);
+  for (Suspicion& s : framing) s.sure *= of_one_object ? kUnlikely : 1, all.push_back(std::move(s));
+  for (const auto family : {suspect_objects, suspect_terms, suspect_features}) family(c, all);
   leave_to_objects(all);
   std::stable_sort(all.begin(), all.end(),
                    [](const Suspicion& a, const Suspicion& b) { return a.sure > b.sure + 1e-9; });

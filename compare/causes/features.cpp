@@ -47,8 +47,9 @@ Mask bright(const Pixels& light) {
 }
 
 // An effect says more than where it is seen: photons, radiosity, subsurface. A texture of one object says more than
-// that it is this object's surface; the sky in mirrors, more than that there are mirrors.
-constexpr double kEffect = 0.85, kOwned = 0.72, kSky = 0.67, kOther = 0.65;
+// that it is this object's surface, and what casts a shadow more than that there is one; the sky in mirrors, more than
+// that there are mirrors. That it is lit says less of the only object that is.
+constexpr double kEffect = 0.85, kOwned = 0.72, kSky = 0.67, kOther = 0.65, kOnlyOne = 0.5;
 
 bool is_shadow(const PixelTags::Tag& tag) { return tag.kind == "light" && tag.name.starts_with("in the shadow"); }
 
@@ -62,6 +63,7 @@ const char* suspect_of(const PixelTags::Tag& tag) {
   if (tag.kind == "secondary object") return is_sky(tag) ? "background" : "reflection or refraction";
   if (tag.kind == "shape") return "shape";
   if (tag.kind == "passed object") return "object missing";
+  if (tag.kind == "caster") return "shadows";
   return nullptr;
 }
 
@@ -77,7 +79,10 @@ class Sightings {
     const double found = std::max(correlation(c_, mask, counted), excess(c_, mask, counted));
     if (found < kLeast) return;
     Suspicion s = c_.placed(what, detail, mask, 1);
-    s.sure = weight * found * std::sqrt(share_within(c_, mask, counted));
+    // What is wrong in mirrors only may be another's fault; all that is wrong should not.
+    constexpr double kOfCounted = 0.6;
+    s.sure =
+        weight * found * std::sqrt(share_within(c_, mask, counted)) * (kOfCounted + (1 - kOfCounted) * s.explained);
     out_.push_back(std::move(s));
   }
 
@@ -112,14 +117,26 @@ void suspect_features(const Case& c, Suspicions& out) {
     if (tag.kind == "shape" && only_object(tags, tag.name + " (")) continue;  // the object itself says more
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
     const bool effect = tag.kind == "effect", secondary = tag.kind == "secondary object";
-    const std::string owner = tag.kind == "texture" ? owner_of(c, tags, mask) : "";
-    seen.suspect(what, effect ? kHere : tag.name + (owner.empty() ? "" : " of " + owner), mask,
+    const bool lit = tag.kind == "light" && !is_shadow(tag);
+    const std::string owner = tag.kind == "texture" || lit ? owner_of(c, tags, mask) : "";
+    seen.suspect(what,
+                 effect                 ? kHere
+                 : tag.kind == "caster" ? "of " + tag.name
+                                        : tag.name + (owner.empty() || lit ? "" : " of " + owner),
+                 mask,
                  effect                                              ? kEffect
+                 : lit && !owner.empty()                             ? kOnlyOne
                  : !owner.empty() && !tag.name.starts_with("normal") ? kOwned
+                 : tag.kind == "caster"                              ? kOwned
                  : secondary && is_sky(tag)                          ? kSky
                                                                      : kOther,
                  secondary || tag.kind == "feature");
   }
+  for (const PixelTags::Tag& tag : tags.tags)
+    if (tag.kind == "copy") {
+      const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
+      seen.suspect("object", tag.name.substr(0, tag.name.rfind(" at <")) + ": its surface", mask, weight::kPlace);
+    }
   // An object that casts no shadow does so in the light of all lamps.
   seen.suspect("shadows", "in the shadow of any light", c.pixels_with(tags, is_shadow), kOther);
   for (const PixelTags::Part& part : tags.parts)

@@ -62,16 +62,18 @@ void noise(const Case& c, Suspicions& out) {
 // Squares of one colour.
 void pixelation(const Case& c, Suspicions& out) {
   for (const int side : {2, 3, 4, 5, 6, 8, 10, 12, 16}) {
-    std::size_t same = 0, all = 0, different = 0;
+    // Neighbours of different colours: within squares there are none, on their borders there are.
+    std::size_t within = 0, across = 0, usual = 0;
     for (int y = 0; y < c.height; ++y)
-      for (int x = 0; x < c.width; ++x) {
-        const std::size_t i = c.at(x, y), first = c.at(x / side * side, y / side * side);
-        if (i == first) continue;
-        ++all,
-            same += squared_distance(
-                c.test[i], c.test[first])<0.02f, different += squared_distance(c.reference[i], c.reference[first])> 1;
+      for (int x = 1; x < c.width; ++x) {
+        const std::size_t i = c.at(x, y), before = c.at(x - 1, y);
+        const bool other = squared_distance(c.test[i], c.test[before]) >= 0.02f;
+        if (x % side == 0)
+          across += other;
+        else
+          within += other, usual += squared_distance(c.reference[i], c.reference[before]) > 1;
       }
-    if (all == 0 || same < 0.98 * static_cast<double>(all) || different == 0) continue;
+    if (across == 0 || within * 50 > across || usual == 0) continue;
     out.push_back(c.repaired(
         "pixelation", fmt::format("squares of {0} x {0} pixels have one colour", side * c.reduced),
         [&](std::size_t i) {

@@ -225,6 +225,8 @@ void surfaces(const Case& c, const SeenObject& object, const Mask& mask, const M
   Suspicions of_it;
   suspect_tone_of(c, object.name, mask, of_it);
   of_it.push_back(c.placed("object", object.name + ": its surface", mask, weight::kPlace));
+  // A texture may differ here and there.
+  of_it.back().sure = weight::kPlace * share * std::sqrt(of_it.back().precision);
   const Mask direct = common(c.wrong, directly_seen(c, *c.tags.any()));
   const double covered =
       object.secondary ? 1 : part_of_wrong(c, common(direct, either(mask, images))) / part_of_wrong(c, direct);

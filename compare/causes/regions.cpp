@@ -139,6 +139,7 @@ void vignetting(const Case& c, Suspicions& out) {
         xx += x * x, xy += x * (in(c.test[i][k]) - p);
       }
     const double s = xx > 0 ? xy / xx : 0;
+    if (std::fabs(s) > 1) continue;  // corners that are black or doubled are no lens's
     out.push_back(c.repaired(
         "vignetting", fmt::format("corners are {:.1f} % {}", 100 * std::fabs(s), s < 0 ? "darker" : "brighter"),
         [&](std::size_t i) {

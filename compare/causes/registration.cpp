@@ -4,6 +4,9 @@ namespace verisim::compare {
 namespace {
 
 constexpr int kMaxNumbers = 7;
+// What shrinks to a few pixels, or grows from them, or comes from outside explains every loss of contrast. An object is
+// known to be there.
+constexpr double kMaxZoom = 0.5, kMaxZoomOfObject = 0.8, kMaxShift = 0.2;  // parts; of the picture's longer side
 
 Pixel between(const Case& c, const Pixels& picture, double x, double y) {
   const double fx = std::floor(x), fy = std::floor(y);
@@ -26,6 +29,7 @@ class Registration {
   Registered run() {
     Registered out;
     for (const double sigma : {6.0, 3.0, 1.5}) {
+      if (too_far()) break;
       a_ = blurred(c_, c_.reference, sigma), b_ = blurred(c_, c_.test, sigma);
       for (int i = 0; i < 6 && step(); ++i) {
       }
@@ -34,12 +38,17 @@ class Registration {
     double before = 0, after = 0;
     for (std::size_t i = 0; i < c_.size(); ++i)
       if (looked_at(i)) before += squared_distance(still[i], b_[i]), after += squared_distance(there[i], b_[i]);
-    out.explained = before > 0 ? 1 - after / before : 0;
-    out.motion = m_, out.moved = warped(c_.reference);
+    out.explained = before > 0 && !too_far() ? 1 - after / before : 0;
+    out.motion = m_, out.moved = too_far() ? c_.reference : warped(c_.reference);
     return out;
   }
 
  private:
+  bool too_far() const {
+    const double zoom = mask_.empty() ? kMaxZoom : kMaxZoomOfObject, shift = kMaxShift * std::max(c_.width, c_.height);
+    return std::max(std::fabs(m_.zoom_x), std::fabs(m_.zoom_y)) > zoom ||
+           std::max(std::fabs(m_.dx), std::fabs(m_.dy)) > shift;
+  }
   bool looked_at(std::size_t i) const { return mask_.empty() || mask_[i]; }
   double near(std::size_t i) const { return f_.parallax ? nearness_[i] : 0; }
   std::pair<double, double> motion(double x, double y, double near) const {

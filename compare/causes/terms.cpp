@@ -211,6 +211,7 @@ class Terms {
     for (const auto& [key, term] : of_reference ? was_ : is_) {
       const auto more = [&] { return of_reference ? rest : minus(Pixels(c_.size()), rest); };
       if (key.first == "light") moved(key.second, term, more(), surfaces);
+      if (key.first == "light") shadowed(key.second, term);
       if (key.first == "fog") density("fog", term, more(), judged);
       const Proportion p = proportion(term, rest, &judged);
       auto [what, detail] = strength(key.first, key.second, of_reference ? p : of_what_was(p));
@@ -277,6 +278,29 @@ class Terms {
         fmt::format("the {} is at about <{:.3g}, {:.3g}, {:.3g}> in the {}", name, at.x, at.y, at.z,
                     c_.tags.reference ? "test picture" : "reference"),
         c_.tags.reference ? change : minus(none, change), weight::kRepaired);
+  }
+
+  // Where the side without terms shows exactly what is left without this light, and elsewhere the light: in shadows.
+  void shadowed(const std::string& name, const Pixels& term) {
+    constexpr float kSeen = 4, kSame = 1.5f;  // code values
+    constexpr double kMaxPart = 0.7, kLeast = 0.3;
+    const bool known = c_.tags.reference != nullptr;
+    const Pixels &own = known ? c_.reference : c_.test, &other = known ? c_.test : c_.reference;
+    Mask mask(c_.size());
+    std::size_t seen = 0, dark = 0;
+    for (std::size_t i = 0; i < c_.size(); ++i) {
+      Pixel without;
+      for (std::size_t k = 0; k < 3; ++k) without[k] = transfer_.code(light(own[i][k]) - term[i][k]);
+      if (squared_distance(without, own[i]) < kSeen * kSeen) continue;
+      mask[i] = c_.wrong[i] && squared_distance(without, other[i]) < kSame * kSame;
+      ++seen, dark += mask[i];
+    }
+    if (static_cast<double>(dark) > kMaxPart * static_cast<double>(seen) || share_of(c_, mask) < kLeast) return;
+    Suspicion s = c_.placed(
+        "shadows", fmt::format("only the {} has one of the {} here", known ? "test picture" : "reference", name), mask,
+        1);
+    s.sure = 0.85 * s.explained;
+    out_.push_back(std::move(s));
   }
 
   void density(const std::string& air, const Pixels& term, const Pixels& more, const Mask& judged) {

@@ -49,9 +49,24 @@ class Tone {
  private:
   void add(const char* what, const std::string& detail, double weight,
            const std::function<Pixel(const Pixel&)>& change) {
-    out_.push_back(c_.repaired(
+    Suspicion s = c_.repaired(
         what, prefix_ + detail, [&](std::size_t i) { return change(c_.reference[i]); }, weight::kRepaired * weight,
-        part_));
+        part_);
+    s.sure *= drawn(change);
+    out_.push_back(std::move(s));
+  }
+  // How much of what the test picture draws is drawn with it, 0..1: to make all one grey undoes the loss of an object.
+  double drawn(const std::function<Pixel(const Pixel&)>& change) const {
+    Pixel mean{};
+    each([&](const Pixel&, const Pixel& q) {
+      for (std::size_t k = 0; k < 3; ++k) mean[k] += q[k] / static_cast<float>(pixels_.size());
+    });
+    double all = 0, left = 0;
+    each([&](const Pixel& p, const Pixel& q) {
+      all += squared_distance(q, mean), left += squared_distance(change(p), q);
+    });
+    constexpr double kFlat = 1;  // in code values, squared: of a pixel
+    return all > kFlat * static_cast<double>(pixels_.size()) ? std::clamp(1 - left / all, 0.0, 1.0) : 1;
   }
   void each(const std::function<void(const Pixel&, const Pixel&)>& f) const {
     for (std::size_t i : pixels_) f(c_.reference[i], c_.test[i]);

@@ -14,7 +14,8 @@ struct PixelTags {
   struct Tag {
     std::string kind;  // "object", "copy" (an object with its place), "parent" (a CSG object
                        // around it, with its place), "shape", "texture", "light", "feature",
-                       // "coincidence" (objects that a ray meets in one place), "passed object" (whose box it crosses)
+                       // "coincidence" (objects that a ray meets in one place), "passed object" (whose box it crosses),
+                       // "caster" (what stands between the point and a light)
     std::string name;  // "torus (scene.pov:12)", "granite", "lit by light at <0, 5, 0>", "reflection" ...
   };
   int width = 0, height = 0;  // of the picture

@@ -80,7 +80,8 @@ inline float squared_distance(const Pixel& a, const Pixel& b) {
   return r * r + g * g + c * c;
 }
 Mask dilated(const Case& c, const Mask& mask, int radius);
-double share_of(const Case& c, const Mask& mask);       // of the squared difference
+inline bool is_sky(const PixelTags::Tag& tag) { return tag.name.starts_with("sky"); }  // seen directly or in mirrors
+double share_of(const Case& c, const Mask& mask);                                      // of the squared difference
 double part_of_right(const Case& c, const Mask& mask);  // how many of the pixels that are not wrong
 double part_of_wrong(const Case& c, const Mask& mask);
 // "sphere (s.pov:3)", which shows nearly all of the mask; empty: several do.

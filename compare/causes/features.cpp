@@ -53,8 +53,6 @@ constexpr double kEffect = 0.85, kOwned = 0.72, kSky = 0.67, kOther = 0.65, kOnl
 
 bool is_shadow(const PixelTags::Tag& tag) { return tag.kind == "light" && tag.name.starts_with("in the shadow"); }
 
-bool is_sky(const PixelTags::Tag& tag) { return tag.name.starts_with("sky"); }
-
 const char* suspect_of(const PixelTags::Tag& tag) {
   if (tag.kind == "effect") return tag.name.c_str();
   if (tag.kind == "texture") return tag.name.starts_with("normal") ? "normals" : "texture";

@@ -215,18 +215,42 @@ Mask images_of(const Case& c, const SeenObject& object, const std::vector<SeenOb
   return out;
 }
 
+bool has_passed_objects(const PixelTags& tags) {
+  return std::any_of(tags.tags.begin(), tags.tags.end(),
+                     [](const PixelTags::Tag& tag) { return tag.kind == "passed object"; });
+}
+
+// A texture may differ here and there: that most of the surface is right says little against it.
+Suspicion surface(std::string what, std::string detail, const Case& c, const Mask& mask, double least) {
+  Suspicion s = c.placed(std::move(what), std::move(detail), mask, weight::kPlace);
+  // Where it fills the picture nothing else can be wrong, unless it is not seen.
+  const bool fills = std::count(mask.begin(), mask.end(), 0) == 0 && !has_passed_objects(*c.tags.any());
+  s.sure = weight::kPlace * s.explained * (fills ? 1 : std::max(least, std::sqrt(s.precision)));
+  return s;
+}
+
+// Wrong pixels on both sides of an object's border only.
+void outline(const Case& c, const SeenObject& object, double inside, Suspicions& out) {
+  constexpr double kAllOfIt = 0.97, kMaxOfPicture = 0.6, kWeight = 0.45;
+  if (inside > kAllOfIt || static_cast<double>(object.pixels) > kMaxOfPicture * static_cast<double>(c.size())) return;
+  const Mask around = dilated(c, object.mask, 1);
+  if (part_of_wrong(c, around) < kAllOfIt) return;
+  Suspicion s = c.placed("object shape", object.name + ": its outline", around, 1);
+  s.sure = kWeight * s.explained;
+  out.push_back(std::move(s));
+}
+
 // Where an object is what it was and looks otherwise. Other surfaces that are wrong by less speak
 // against it: twice, for they are not explained and want another cause.
 // `images`: where the object is seen in mirrors or through something.
 void surfaces(const Case& c, const SeenObject& object, const Mask& mask, const Mask& images, Suspicions& out) {
   constexpr double kLeastShare = 0.5;
   const double share = share_of(c, mask);
+  outline(c, object, share, out);
   if (share < kLeastShare) return;
   Suspicions of_it;
   suspect_tone_of(c, object.name, mask, of_it);
-  of_it.push_back(c.placed("object", object.name + ": its surface", mask, weight::kPlace));
-  // A texture may differ here and there.
-  of_it.back().sure = weight::kPlace * share * std::sqrt(of_it.back().precision);
+  of_it.push_back(surface("object", object.name + ": its surface", c, mask, 0.6));
   const Mask direct = common(c.wrong, directly_seen(c, *c.tags.any()));
   const double covered =
       object.secondary ? 1 : part_of_wrong(c, common(direct, either(mask, images))) / part_of_wrong(c, direct);
@@ -273,8 +297,11 @@ Elsewhere look_elsewhere(const Case& c, const Mask& mask, int reach) {
 
 // With one side's word only.
 void outlines_of_one_side(const Case& c, Suspicions& out) {
-  constexpr double kGone = 0.3, kLeastShare = 0.5, kMaxOfPicture = 0.6;
+  constexpr double kAllOfIt = 0.97, kGone = 0.3, kLeastShare = 0.5, kMaxOfPicture = 0.6;
   const std::vector<SeenObject> objects = seen_in(c, *c.tags.any());
+  const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && is_sky(tag); };
+  if (const Mask background = c.pixels_with(*c.tags.any(), sky); part_of_wrong(c, background) > kAllOfIt)
+    out.push_back(surface("background", "what is seen where there is no object", c, background, 0));
   for (const SeenObject& object : objects) {
     if (object.secondary) continue;
     surfaces(c, object, object.mask, images_of(c, object, objects), out);
@@ -340,7 +367,7 @@ void suspect_objects(const Case& c, Suspicions& out) {
     surfaces(c, *m.was, common(m.was->mask, m.is->mask), images_of(c, *m.was, was), of_it);
     for (Suspicion& s : of_it) s.sure *= m.was->secondary ? 0.95 : 1, out.push_back(std::move(s));
   }
-  const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && tag.name.starts_with("sky"); };
+  const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && is_sky(tag); };
   const Mask background = common(c.pixels_with(*c.tags.reference, sky), c.pixels_with(*c.tags.test, sky));
   if (share_of(c, background) > 0.5)
     out.push_back(c.placed("background", "what is seen where there is no object", background, weight::kRepaired));

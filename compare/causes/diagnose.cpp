@@ -13,7 +13,7 @@ constexpr std::size_t kMax = 12;
 
 constexpr double kRather = 0.75;
 constexpr std::array kWhereAlone = {"specks", "few pixels", "edges"};
-constexpr std::array kOfAll = {"ambient light", "light strength", "light color"};  // objects that are lit
+constexpr std::array kOfAll = {"ambient light", "light strength", "light color", "light moved"};
 
 bool is_one_of(const auto& list, const Suspicion& s) {
   return std::find(list.begin(), list.end(), s.what) != list.end();
@@ -34,12 +34,14 @@ void leave_to_objects(Suspicions& all) {
 
 // Whether all wrong pixels show one object, or the sky: then it is hardly the whole picture that has a fault.
 bool one_is_wrong(const Case& c, const PixelTags& tags) {
-  constexpr double kAll = 0.97;
-  constexpr int kBorder = 1;  // pixels, which show both sides
+  constexpr double kAll = 0.97, kLarge = 0.3;  // of the picture: others lie before it
+  constexpr int kBorder = 1;                   // pixels, which show both sides
   return std::any_of(tags.tags.begin(), tags.tags.end(), [&](const PixelTags::Tag& tag) {
     if (tag.kind != "copy" && !is_sky(tag)) return false;
     const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
-    return part_of_wrong(c, dilated(c, mask, kBorder)) > kAll;
+    const auto pixels = std::count(mask.begin(), mask.end(), 1);
+    const bool large = static_cast<double>(pixels) > kLarge * static_cast<double>(c.size());
+    return part_of_wrong(c, large ? mask : dilated(c, mask, kBorder)) > kAll;
   });
 }
 

@@ -133,7 +133,9 @@ void suspect_features(const Case& c, Suspicions& out) {
   for (const PixelTags::Tag& tag : tags.tags)
     if (tag.kind == "copy") {
       const Mask mask = c.pixels_with(tags, [&](const PixelTags::Tag& other) { return &other == &tag; });
-      seen.suspect("object", tag.name.substr(0, tag.name.rfind(" at <")) + ": its surface", mask, weight::kPlace);
+      // What is wrong around it is not its surface's fault.
+      seen.suspect("object", tag.name.substr(0, tag.name.rfind(" at <")) + ": its surface", mask,
+                   weight::kPlace * share_of(c, mask));
     }
   // An object that casts no shadow does so in the light of all lamps.
   seen.suspect("shadows", "in the shadow of any light", c.pixels_with(tags, is_shadow), kOther);

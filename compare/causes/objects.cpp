@@ -343,6 +343,7 @@ void outlines_of_one_side(const Case& c, Suspicions& out) {
     attempt("object moved", {true, false, false, false}, [&](const Motion& m) {
       return fmt::format("by {:.1f}, {:.1f} pixels (right, down)", m.dx * c.reduced, m.dy * c.reduced);
     });
+    if (!object.placed) continue;  // what has no end has no size
     attempt("object scaled", {true, true, false, false}, [](const Motion& m) {
       return fmt::format("{:.1f} % {}", 100 * std::fabs(m.zoom_x), m.zoom_x > 0 ? "larger" : "smaller");
     });

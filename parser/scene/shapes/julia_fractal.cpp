@@ -59,8 +59,9 @@ void parse_slice(Parser& parser, scene::JuliaFractal& fractal) {
   for (const double s : fractal.slice) square += s * s;
   if (!(square >= kEpsilon)) parser.error(Code::bad_value, "Slice vector is zero.");
   if (!(std::fabs(fractal.slice[3]) >= kEpsilon)) parser.error(Code::bad_value, "Slice t component is zero.");
-  const double size = std::sqrt(square);
-  for (double& s : fractal.slice) s /= size;
+  // A reciprocal, as in POV-Ray: the last bits decide where the fractal's surface is found.
+  const double by = 1 / std::sqrt(square);
+  for (double& s : fractal.slice) s *= by;
 }
 
 }  // namespace

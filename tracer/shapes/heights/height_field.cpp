@@ -1,5 +1,6 @@
 // height_field (spec 04 section 5): two triangles per cell, found by descending a pyramid of extremes from near to far.
 #include <bit>
+#include <cmath>
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
@@ -12,7 +13,9 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = kHeightFieldNearest, kEdge = kHeightFieldEdge;
-constexpr double kMaxTolerance = 1e-3;  // hits that are refused for being near are nearer than this
+// Hits that are refused for being near are not beyond this: where light must lie *above* the tolerance of shadows, that
+// is the number after 0.001.
+const double kMaxTolerance = std::nextafter(1e-3, 1.0);
 
 class HeightField final : public Primitive<HeightField> {
  public:

@@ -11,6 +11,8 @@ struct Number {
   double x = 0, y = 0, z = 0, w = 0;
   // Summed in this order, as measured: on the bounding sphere the last bit decides whether a point escapes.
   double norm2() const { return x * x + (y * y + z * z + w * w); }
+  // The order for functions other than squares and cubes, and for products of quaternions.
+  double norm2_from_left() const { return x * x + y * y + z * z + w * w; }
 };
 inline Number operator+(const Number& a, const Number& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 
@@ -22,6 +24,11 @@ inline Number quaternion_square(const Number& h) {
 inline Number quaternion_cube(const Number& h) {
   const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q;
   return {h.x * (x2 - 3 * q), h.y * t, h.z * t, h.w * t};
+}
+// Terms in POV-Ray's order: the last bit of its length decides how far a ray goes (spec 08 M).
+inline Number quaternion_product(const Number& a, const Number& b) {
+  return {a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w, a.y * b.x + a.x * b.y + a.z * b.w - a.w * b.z,
+          a.z * b.x + a.x * b.z + a.w * b.y - a.y * b.w, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y};
 }
 
 inline Number product(const Number& a, const Number& b) {

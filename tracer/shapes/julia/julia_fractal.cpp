@@ -5,6 +5,7 @@
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/julia/julia_map.h"
+#include "tracer/shapes/kept_point.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/shared_payload.h"
 
@@ -59,10 +60,7 @@ double bounding_radius(const scene::JuliaFractal& f) {
 julia::Field field_of(const scene::JuliaFractal& f) {
   julia::Field field;
   field.parameter = {f.parameter[0], f.parameter[1], f.parameter[2], f.parameter[3]};
-  const auto& s = f.slice;
-  const double norm = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
-  for (int k = 0; k < 3; ++k) field.slice[k] = s[static_cast<std::size_t>(k)] / norm;
-  field.slice_w = s[3] / norm;
+  field.slice = {f.slice[0], f.slice[1], f.slice[2]}, field.slice_w = f.slice[3];
   field.slice_distance = f.slice_distance;
   field.iterations = std::clamp(f.max_iteration, 1, kMaxIterations);
   field.precision = 1 / std::max(f.precision, 1.0);
@@ -90,13 +88,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     Orbit orbit(field_.iterations + 1);
     // After an intersection POV-Ray's march goes on behind the coarse step, but counts distances from the intersection:
     // those of later hits, not their points, fall short.
-    walk(orbit, r, begin, end, last, [&](double depth, double uncounted) {
-      const double t = depth / r.scale;
-      const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, ray.at(t)) : KeptNormal{};
-      sink.add((depth - uncounted) / r.scale, [&] { return ray.at(t); }, kept.axis, kept.u, kept.v);
+    walk(orbit, r, begin, end, last, [&](double depth, const Vec3& point, double uncounted) {
+      const Vec3 in_world = world(point);
+      const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
+      const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
+      sink.add((depth - uncounted) / r.scale, [&] { return in_world; }, kept.axis, kept.u, v);
       // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet
       // the far side.
-      return Sink::kNearest && !sink.clipped(ray.at(t));
+      return Sink::kNearest && !sink.clipped(in_world);
     });
   }
 
@@ -105,15 +104,20 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     if (!in_batches_ || std::popcount(rays.active) < kMin)
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     double t[julia::kLanes];
-    const unsigned found = within(t, t_min, t_max, batch_intersections(rays, t_max, t));
-    each_lane(found, [&](int k) { hits[k] = {t[k], rays.at(k).at(t[k]), this, 0, 0, 0}; });
+    julia::Points points;
+    const unsigned found = within(t, t_min, t_max, batch_intersections(rays, t_max, t, points));
+    each_lane(found, [&](int k) {
+      const Vec3 in_world = world(points[k]);
+      hits[k] = {t[k], in_world, this, 0, 0, keep_local(points[k], in_world)};
+    });
     return found;
   }
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
                            const double* t_max) const final {
     if (!in_batches_ || std::popcount(rays.active) < kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     double t[julia::kLanes];
-    return within(t, t_min, t_max, batch_intersections(rays, t_max, t));
+    julia::Points points;
+    return within(t, t_min, t_max, batch_intersections(rays, t_max, t, points));
   }
 
   bool contains(const Vec3& p) const { return plain_inside(local(p)); }
@@ -128,12 +132,17 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   Vec3 outward_normal(const Hit& hit) const {
     if (hit.part != 0) return KeptNormal{hit.part, hit.u, hit.v}.direction();
     Orbit orbit(field_.iterations + 1);
-    const int escaped = iterate(orbit, start(local(hit.point), !plain_));
+    const int escaped = iterate(orbit, start(found_point(hit, has_matrix() ? &matrix() : nullptr), !plain_));
     // Iterates beyond an early escape do not exist; the last one stands for them.
     const int last = escaped > 0 ? escaped - 1 : field_.iterations;
     if (escaped == 0) complete(orbit);
     const Vec3 n = f_.hypercomplex ? hypercomplex_normal(orbit, last) : quaternion_normal(orbit, last);
     return world_normal(n);
+  }
+
+  // What leads from a hit's point in the world to where it was found.
+  double keep_local(const Vec3& point, const Vec3& in_world) const {
+    return has_matrix() ? keep_point(point, matrix().inverse_point(in_world)) : 0;
   }
 
   // A unit vector by its two smaller components; axis: that of the largest and its sign, 1 to 3; 0: none is kept.
@@ -160,7 +169,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
 
   // The normal at a hit from which the iteration escapes: `orbit` still holds what the search left behind the escape.
   KeptNormal keep_normal(Orbit& orbit, const Vec3& point) const {
-    if (iterate(orbit, start(local(point), !plain_)) == 0) return KeptNormal();
+    if (iterate(orbit, start(point, !plain_)) == 0) return KeptNormal();
     complete(orbit);
     return KeptNormal(world_normal(hypercomplex_normal(orbit, field_.iterations)));
   }
@@ -182,55 +191,64 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return !(last < 0);
   }
 
-  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, by how much
-  // later hits' distances fall short) says whether to stop. Where the march ends is counted short, too.
+  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, its point, by
+  // how much later hits' distances fall short) says whether to stop. Where the march ends is counted short, too.
   template <class Found>
   void walk(Orbit& orbit, const LocalRay& r, double t, double end, double last, Found&& found) const {
     double estimate, uncounted = 0;
-    bool in = march(orbit, r, t, estimate);
+    Vec3 p = r.origin + t * r.direction;
+    bool in = march(orbit, p, r.direction, estimate);
     if (in) {
-      t += 2 * kFine;
+      t += 2 * kFine, p += 2 * kFine * r.direction;
       if (t > end) return;
-      in = march(orbit, r, t, estimate);
+      in = march(orbit, p, r.direction, estimate);
     }
-    const auto crossed = [&](double base, double step, bool now) {
-      const double depth = bisect(orbit, r, base, step, in), before = uncounted;
+    const auto crossed = [&](const Reached& base, double step, bool now) {
+      const Reached hit = bisect(orbit, base, r.direction, step, in);
+      const double before = uncounted;
       in = now;
-      uncounted += t - depth;
-      return found(depth, before);
+      uncounted += t - hit.depth;
+      return found(hit.depth, hit.point, before);
     };
     while (t <= last) {
       if (estimate <= field_.precision && field_.kind != Kind::other) {
         // Where the smallest step is due it mostly is so for many steps: look ahead.
         double ahead[julia::kLanes], estimates[julia::kLanes], at = t;
-        for (double& a : ahead) a = at += field_.precision;
+        julia::Points points;
+        Vec3 next_point = p;
+        for (int k = 0; k < julia::kLanes; ++k) {
+          ahead[k] = at += field_.precision;
+          points.set(k, next_point += field_.precision * r.direction);
+        }
         if (!(ahead[0] - uncounted <= end)) return;
-        const unsigned inside = julia::kernels().march(field_, r.origin, r.direction, ahead, estimates);
+        const unsigned inside = julia::kernels().march(field_, points, r.direction, estimates);
         for (int k = 0; k < julia::kLanes; ++k) {
           if (!(ahead[k] - uncounted <= end)) return;
-          const double base = t;
-          t = ahead[k], estimate = estimates[k];
+          const Reached base{t, p};
+          t = ahead[k], p = points[k], estimate = estimates[k];
           const bool now = inside >> k & 1;
           if (now != in && crossed(base, field_.precision, now)) return;
           if (estimate > field_.precision) break;
         }
         continue;
       }
-      const double step = std::max(estimate, field_.precision), base = t;
-      t += step;
+      const double step = std::max(estimate, field_.precision);
+      const Reached base{t, p};
+      t += step, p += step * r.direction;
       if (!(t - uncounted <= end)) return;
-      const bool now = march(orbit, r, t, estimate);
+      const bool now = march(orbit, p, r.direction, estimate);
       if (now != in && crossed(base, step, now)) return;
     }
   }
 
   // World distances of the first intersections of rays; the lanes that have one, unless it lies behind t_max.
-  unsigned batch_intersections(const RayPacket& rays, const double* t_max, double* t) const {
+  unsigned batch_intersections(const RayPacket& rays, const double* t_max, double* t, julia::Points& points) const {
     LocalPacket local_rays;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
     julia::RaysInGrid within;
     const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.active, t_max, within);
-    const unsigned crossed = julia::kernels().first_intersections(field_, within.rays, within.interval, entered, t);
+    const unsigned crossed =
+        julia::kernels().first_intersections(field_, within.rays, within.interval, entered, t, points);
     each_lane(crossed, [&](int k) { t[k] /= local_rays.scale[k]; });
     return crossed;
   }
@@ -239,6 +257,13 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     each_lane(lanes, [&](int k) { result |= t[k] >= t_min && t[k] < t_max[k] ? 1u << k : 0; });
     return result;
   }
+
+  // Where the march is: the point is carried along, step by step, and its bits are not those of the distance.
+  struct Reached {
+    double depth;
+    Vec3 point;
+    Reached onward(double by, const Vec3& direction) const { return {depth + by, point + by * direction}; }
+  };
 
   using MapPtr = std::shared_ptr<const julia::Map>;
 
@@ -264,6 +289,10 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     const double z = quirk ? p.y : p.z;
     return {p.x, p.y, z,
             (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
+  }
+  template <Kind K>
+  static double norm2(const Number& h) {
+    return K == Kind::other ? h.norm2_from_left() : h.norm2();
   }
   template <Kind K>
   Number next(const Number& h) const {
@@ -296,7 +325,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       Number h = h0;
       orbit.set(0, h);
       for (int i = 1;; ++i) {
-        if (h.norm2() > field_.escape) return i;
+        if (norm2<K>(h) > field_.escape) return i;
         if (i == field_.iterations) break;
         if constexpr (K == Kind::other) {
           const Number image = julia::apply(f_.function, f_.exponent, h);
@@ -321,50 +350,62 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return with_kind([&]<Kind K>() {
       Number h = start(p, !plain_);
       for (int i = 1;; ++i) {
-        if (h.norm2() > field_.escape) return false;
+        if (norm2<K>(h) > field_.escape) return false;
         if (i == field_.iterations) return true;
         h = next<K>(h);
       }
     });
   }
 
-  // The depth reported for a change of state between base and base + step; `in` is the state at base.
-  double bisect(Orbit& orbit, const LocalRay& r, double base, double step, bool in) const {
-    double low = base, width = step;
+  // The intersection reported for a change of state between base and base + step; `in` is the state at base.
+  Reached bisect(Orbit& orbit, const Reached& base, const Vec3& direction, double step, bool in) const {
+    Reached low = base;
+    double width = step;
     if (field_.kind == Kind::other) {
       while (width > kFine) {
         width /= 2;
-        if ((iterate(orbit, start(r.origin + (low + width) * r.direction, !plain_)) == 0) == in) low += width;
+        const Reached middle = low.onward(width, direction);
+        if ((iterate(orbit, start(middle.point, !plain_)) == 0) == in) low = middle;
       }
-      return in ? low : low + width;
+      return in ? low : low.onward(width, direction);
     }
     // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it
     // has the state of the base.
     while (width > kFine) {
-      const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2, middle = low + w1, quarter = low + w2, last = middle + w2;
-      const double points[julia::kLanes] = {middle,       quarter,     last,      low + w3,
-                                            quarter + w3, middle + w3, last + w3, last + w3};
-      const unsigned inside = julia::kernels().inside(field_, r.origin, r.direction, points);
+      const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2;
+      const Reached middle = low.onward(w1, direction), quarter = low.onward(w2, direction),
+                    last = middle.onward(w2, direction);
+      const Reached heap[7] = {middle,
+                               quarter,
+                               last,
+                               low.onward(w3, direction),
+                               quarter.onward(w3, direction),
+                               middle.onward(w3, direction),
+                               last.onward(w3, direction)};
+      julia::Points points;
+      for (int k = 0; k < julia::kLanes; ++k) points.set(k, heap[std::min(k, 6)].point);
+      const unsigned inside = julia::kernels().inside(field_, points);
       for (unsigned n = 0; n < 7 && width > kFine;) {
         width /= 2;
         const bool same = (inside >> n & 1) == static_cast<unsigned>(in);
-        if (same) low = points[n];
+        if (same) low = heap[n];
         n = 2 * n + (same ? 2 : 1);
       }
     }
-    return in ? low : low + width;
+    return in ? low : low.onward(width, direction);
   }
 
-  // Inside at depth t, and how far the ray may go from there.
-  bool march(Orbit& orbit, const LocalRay& ray, double t, double& estimate) const {
-    const Number h0 = start(ray.origin + t * ray.direction, false);
+  // Inside at the point, and how far the ray may go from there.
+  bool march(Orbit& orbit, const Vec3& point, const Vec3& direction, double& estimate) const {
+    const Number h0 = start(point, false);
     if (field_.kind == Kind::quaternion_square) return march_quaternion<Kind::quaternion_square>(h0, estimate);
     if (field_.kind == Kind::quaternion_cube) return march_quaternion<Kind::quaternion_cube>(h0, estimate);
     const int escaped = iterate(orbit, h0);
     estimate = field_.precision;
     if (escaped == 0) return true;
-    const double q = orbit[escaped - 1].norm2();
-    const double slope = dot(hypercomplex_normal(orbit, escaped - 1), ray.direction);
+    const Number& h = orbit[escaped - 1];
+    const double q = field_.kind == Kind::other ? h.norm2_from_left() : h.norm2();
+    const double slope = dot(hypercomplex_normal(orbit, escaped - 1), direction);
     if (slope < -1e-8) {
       const double decrease = -2 * slope;
       if (field_.precision * decrease < q && q < 30 * field_.precision * decrease) estimate = q / decrease;
@@ -373,22 +414,35 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
   template <Kind K>
-  bool march_quaternion(Number h, double& estimate) const {
+  bool march_quaternion(const Number& h0, double& estimate) const {
+    Number h = h0;
     double product2 = 1, power = 1;
     for (int i = 1; i <= field_.iterations; ++i) {
       const double q = h.norm2();
       product2 *= q;
       power *= K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2;
       if (q > field_.escape) {
-        estimate = power * std::sqrt(q / product2);
-        // ln q <= q - 1: most of the smallest steps need no logarithm.
-        estimate = estimate * (q - 1) > field_.precision ? estimate * std::log(q) : field_.precision;
+        // ln q <= q - 1: most of the smallest steps need neither logarithm nor the product itself, for whose last bits
+        // that of the lengths does not stand.
+        estimate = power * std::sqrt(q / product2) * (q - 1) > field_.precision
+                       ? power * std::sqrt(q / product_norm2<K>(h0, i)) * std::log(q)
+                       : field_.precision;
         return false;
       }
       if (i < field_.iterations) h = next<K>(h);
     }
     estimate = field_.precision;
     return true;
+  }
+  // |h(count-1) ... h1 h0|^2
+  template <Kind K>
+  double product_norm2(Number h, int count) const {
+    Number m = h;
+    for (int i = 1; i < count; ++i) {
+      h = next<K>(h);
+      m = julia::quaternion_product(h, m);
+    }
+    return m.norm2_from_left();
   }
 
   // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.
@@ -398,13 +452,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     for (int i = 0; i < last; ++i) {
       const Number& h = orbit[i];
       for (Number* d : {&dx, &dy, &dz}) {
-        const double inner = h.y * d->y + h.z * d->z + h.w * d->w;
         if (cube) {
+          const double inner = h.y * d->y + h.z * d->z + h.w * d->w;
           const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q,
                        dt = 6 * h.x * d->x - 2 * inner;
           *d = {3 * (x2 - q) * d->x - 6 * h.x * inner, dt * h.y + t * d->y, dt * h.z + t * d->z, dt * h.w + t * d->w};
         } else {
-          *d = {h.x * d->x - inner, d->x * h.y + h.x * d->y, d->x * h.z + h.x * d->z, d->x * h.w + h.x * d->w};
+          *d = {h.x * d->x - h.y * d->y - h.z * d->z - h.w * d->w, h.x * d->y + h.y * d->x, h.x * d->z + h.z * d->x,
+                h.x * d->w + h.w * d->x};
         }
       }
     }

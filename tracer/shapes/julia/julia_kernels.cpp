@@ -122,6 +122,11 @@ HWY_INLINE Numbers product(const Numbers& a, const Numbers& b) {
           a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
 }
 
+HWY_INLINE Numbers quaternion_product(const Numbers& a, const Numbers& b) {
+  return {a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w, a.y * b.x + a.x * b.y + a.z * b.w - a.w * b.z,
+          a.z * b.x + a.x * b.z + a.w * b.y - a.y * b.w, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y};
+}
+
 template <Kind K>
 HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
   Numbers r;
@@ -137,34 +142,24 @@ HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
   return {r.x + c.x, r.y + c.y, r.z + c.z, r.w + c.w};
 }
 
-// Points of one ray.
-struct OneRay {
-  const Vec3 &origin, &direction;
-  HWY_INLINE Packet at(int axis, const Packet& t) const { return origin[axis] + t * direction[axis]; }
-  HWY_INLINE Packet along(const Packet& x, const Packet& y, const Packet& z) const {
-    return x * direction.x + y * direction.y + z * direction.z;
-  }
+struct Place {
+  Packet x, y, z;
 };
-// One point of each ray.
-struct EachRay {
-  const Rays& rays;
-  HWY_INLINE Packet at(int axis, const Packet& t) const {
-    return load(rays.origin[axis]) + t * load(rays.direction[axis]);
-  }
-  HWY_INLINE Packet along(const Packet& x, const Packet& y, const Packet& z) const {
-    return x * load(rays.direction[0]) + y * load(rays.direction[1]) + z * load(rays.direction[2]);
-  }
-};
+HWY_INLINE Place load_place(const double (&at)[3][kLanes]) { return {load(at[0]), load(at[1]), load(at[2])}; }
+HWY_INLINE Place onward(const Place& p, const Packet& by, const Place& direction) {
+  return {p.x + by * direction.x, p.y + by * direction.y, p.z + by * direction.z};
+}
+HWY_INLINE Place select_place(const Mask& where, const Place& a, const Place& b) {
+  return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
+}
 
-template <class Source>
-HWY_INLINE Numbers start(const Field& f, const Source& rays, const Packet& t) {
-  const Packet x = rays.at(0, t), y = rays.at(1, t), z = rays.at(2, t);
-  return {x, y, z, (f.slice_distance - f.slice.x * x - f.slice.y * y - f.slice.z * z) / f.slice_w};
+HWY_INLINE Numbers start(const Field& f, const Place& p) {
+  return {p.x, p.y, p.z, (f.slice_distance - f.slice.x * p.x - f.slice.y * p.y - f.slice.z * p.z) / f.slice_w};
 }
 
 template <Kind K>
-HWY_INLINE unsigned inside_of(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
-  Numbers h = start(f, OneRay{o, d}, load(t));
+HWY_INLINE unsigned inside_of(const Field& f, const Points& points) {
+  Numbers h = start(f, load_place(points.at));
   Mask out = Mask::of_bits(0);
   for (int i = 1; i <= f.iterations; ++i) {
     out = out | (norm2(h) > f.escape);
@@ -201,27 +196,30 @@ struct Marched {
 };
 
 // At one point of each ray that is asked for; estimates only where they are asked for.
-template <Kind K, class Source>
-HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t, const Mask& active_mask,
+template <Kind K>
+HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& direction, const Mask& active_mask,
                             const Mask& estimated) {
   constexpr bool kQuaternion = K != Kind::hypercomplex_square;
-  Numbers h = start(f, rays, t);
+  Numbers h = start(f, place);
   Mask out = ~active_mask;
-  // Of each lane when it escapes: |h|^2 and, for quaternions, the product of all |h|^2 before and k^steps; for others
-  // the slope along the ray.
+  // Of each lane when it escapes: |h|^2 and, for quaternions, |h(i-1) ... h1 h0|^2 (the product of lengths has other
+  // last bits) and k^steps; for others the slope along the ray.
   const Packet one = Packet(1.0);
   Packet q(0.0), product2 = one, power = one, slope(0.0);
-  Packet running2 = one;
   double running_power = 1, scale = 2;
   Numbers m = h;
   for (int i = 1; i <= f.iterations; ++i) {
     const Packet n2 = norm2(h);
     const Mask now = (n2 > f.escape) & ~out;
     if constexpr (kQuaternion) {
-      running2 = running2 * n2;
       running_power = running_power * (K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2);
-      product2 = select(now, running2, product2);
-      power = select(now, Packet(running_power), power);
+      if (bits(estimated & ~out) != 0) {
+        if (i > 1) m = quaternion_product(h, m);
+        if (bits(now) != 0) {
+          product2 = select(now, m.x * m.x + m.y * m.y + m.z * m.z + m.w * m.w, product2);
+          power = select(now, Packet(running_power), power);
+        }
+      }
     } else {
       if (bits(now) != 0) {
         Numbers n = h;
@@ -229,7 +227,7 @@ HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t,
         const Packet vx = m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w,
                      vy = -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
                      vz = -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w;
-        slope = select(now, rays.along(vx, vy, vz), slope);
+        slope = select(now, vx * direction.x + vy * direction.y + vz * direction.z, slope);
       }
       if (i > 1) {
         m = product(h, m);
@@ -244,8 +242,8 @@ HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t,
   const Packet smallest = Packet(f.precision);
   Marched result{~out, smallest};
   if constexpr (kQuaternion) {
-    const Packet root = power * sqrt(q / product2);
     // ln q <= q - 1 spares most of the logarithms.
+    const Packet root = power * sqrt(q / product2);
     const Mask far = estimated & out & (root * (q - 1.0) > f.precision);
     if (const unsigned lanes = bits(far); lanes != 0)
       result.estimate = select(far, root * logarithms(q, lanes), smallest);
@@ -258,9 +256,9 @@ HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t,
 }
 
 template <Kind K>
-HWY_INLINE unsigned march_one(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
+HWY_INLINE unsigned march_one(const Field& f, const Points& points, const Vec3& d, double* estimate) {
   const Mask all = Mask::all();
-  const Marched at = march_of<K>(f, OneRay{o, d}, load(t), all, all);
+  const Marched at = march_of<K>(f, load_place(points.at), {Packet(d.x), Packet(d.y), Packet(d.z)}, all, all);
   store(estimate, at.estimate);
   return bits(at.inside);
 }
@@ -268,13 +266,16 @@ HWY_INLINE unsigned march_one(const Field& f, const Vec3& o, const Vec3& d, cons
 // All rays evaluate one point at a time, whatever they are about: the first point, a step, or a halving.
 template <Kind K>
 HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
-                          double* depths) {
+                          double* depths, Points& points) {
+  const Place origin = load_place(rays.origin), direction = load_place(rays.direction);
   const Packet end = load(interval.end), last = load(interval.last), limit = load(interval.limit);
   const Mask none = Mask::of_bits(0);
   Mask active = Mask::of_bits(active_mask), first = active, again = none, halving = none, in = none, found = none;
   Packet at = load(interval.begin), base(0.0), width(0.0), depth(0.0);
+  // Points are carried along, step by step: their bits are not those of the distances.
+  Place place = onward(origin, at, direction), base_place = place, found_place = place;
   while (bits(active) != 0) {
-    const Marched now = march_of<K>(f, EachRay{rays}, at, active, active & ~halving);
+    const Marched now = march_of<K>(f, place, direction, active, active & ~halving);
     const Mask same = ~(now.inside ^ in);
     const Mask halved = active & halving, began = active & first, began_in = began & now.inside,
                entered = active & again, walked = active & ~(halving | first | again);
@@ -283,19 +284,31 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
     again = began_in;
     in = (in | began_in) & ~(entered & ~now.inside);
     const Mask steps = (began & ~now.inside) | entered | (walked & same), changed = walked & ~same;
-    base = select(steps | (halved & same), at, base);
+    const Mask moved = steps | (halved & same);
+    base = select(moved, at, base), base_place = select_place(moved, place, base_place);
     width = select(steps, select(now.estimate < f.precision, Packet(f.precision), now.estimate), width);
     // The state changes between base and base + width.
     halving = halving | changed;
     const Mask fine = width > kFine, halves = (halved | changed) & fine, done = (halved | changed) & ~fine;
     width = select(halves, width / 2.0, width);
-    depth = select(done, select(in, base, base + width), depth);
-    found = found | done;
-    at = select(steps | halves, base + width, select(began_in, at + 2 * kFine, at));
+    const Packet ahead = base + width;
+    const Place place_ahead = onward(base_place, width, direction);
+    if (bits(done) != 0) {
+      depth = select(done, select(in, base, ahead), depth);
+      found_place = select_place(done, select_place(in, base_place, place_ahead), found_place);
+      found = found | done;
+    }
+    const Mask onwards = steps | halves;
+    if (bits(began_in) != 0) {
+      at = select(began_in, at + 2 * kFine, at);
+      place = select_place(began_in, onward(place, Packet(2 * kFine), direction), place);
+    }
+    at = select(onwards, ahead, at), place = select_place(onwards, place_ahead, place);
     const Mask useful = (base <= last) & (base <= limit) & (at <= end);
     active &= ~(done | (began_in & (at > end)) | (steps & ~useful));
   }
   store(depths, depth);
+  store(points.at[0], found_place.x), store(points.at[1], found_place.y), store(points.at[2], found_place.z);
   return bits(found);
 }
 
@@ -311,15 +324,16 @@ HWY_INLINE unsigned with_kind(const Field& f, Work&& work) {
   }
 }
 
-unsigned inside_packet(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return inside_of<K>(f, o, d, t); });
+unsigned inside_packet(const Field& f, const Points& points) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return inside_of<K>(f, points); });
 }
-unsigned march_packet(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, o, d, t, estimate); });
+unsigned march_packet(const Field& f, const Points& points, const Vec3& direction, double* estimate) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, points, direction, estimate); });
 }
 unsigned first_intersections(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
-                             double* depth) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth); });
+                             double* depth, Points& points) {
+  return with_kind(
+      f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth, points); });
 }
 
 constexpr Kernels kKernels{inside_packet, march_packet, enter, first_intersections};

@@ -51,6 +51,15 @@ struct Grid {
   bool has(int i, int j, int k) const { return rows[k * kSide + j] >> i & 1; }
 };
 
+// A point a lane.
+struct alignas(64) Points {
+  double at[3][kLanes];
+  void set(int lane, const Vec3& p) {
+    for (int i = 0; i < 3; ++i) at[i][lane] = p[i];
+  }
+  Vec3 operator[](int lane) const { return {at[0][lane], at[1][lane], at[2][lane]}; }
+};
+
 // Rays on their way through the grid.
 struct alignas(64) RaysInGrid {
   Rays rays;
@@ -59,18 +68,18 @@ struct alignas(64) RaysInGrid {
 
 // Not for Kind::other.
 struct Kernels {
-  // Points origin + t * direction. Bit k: t[k] survives all iterations.
-  unsigned (*inside)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t);
-  // The same, and how far the ray may go from each point (spec 04 section 8, step estimates): exact where above the
-  // precision, else anything not above it.
-  unsigned (*march)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t, double* estimate);
+  // Bit k: points[k] survives all iterations.
+  unsigned (*inside)(const Field& field, const Points& points);
+  // The same, and how far a ray of that direction may go from each point (spec 04 section 8, step estimates): exact
+  // where above the precision, else anything not above it.
+  unsigned (*march)(const Field& field, const Points& points, const Vec3& direction, double* estimate);
   // The lanes of `active` that meet cells of the grid within the bounding sphere, each as far as t_max.
   unsigned (*enter)(const Grid& grid, double radius, const LocalPacket& rays, unsigned active, const double* t_max,
                     RaysInGrid& entered);
   // Rays of a packet that march in step, each with the steps it takes alone: the lanes of `active` whose rays cross the
-  // surface, and the depths of their first intersections.
+  // surface, and the depths and points of their first intersections.
   unsigned (*first_intersections)(const Field& field, const Rays& rays, const Interval& interval, unsigned active,
-                                  double* depth);
+                                  double* depth, Points& points);
 };
 
 // Those of the best instruction set of this machine.

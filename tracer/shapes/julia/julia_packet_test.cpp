@@ -48,12 +48,13 @@ TEST(JuliaPacket, AgreeWithSinglePoints) {
     for (int n = 0; n < 2000; ++n) {
       const Vec3 o(coordinate(random), coordinate(random), coordinate(random)),
           d(coordinate(random), coordinate(random), coordinate(random));
-      double t[kLanes], estimate[kLanes];
-      for (int k = 0; k < kLanes; ++k) t[k] = 0.05 * k;
-      const unsigned inside = kernels().inside(f, o, d, t);
-      EXPECT_EQ(kernels().march(f, o, d, t, estimate), inside);
+      double estimate[kLanes];
+      Points points;
+      for (int k = 0; k < kLanes; ++k) points.set(k, o + 0.05 * k * d);
+      const unsigned inside = kernels().inside(f, points);
+      EXPECT_EQ(kernels().march(f, points, d, estimate), inside);
       for (int k = 0; k < kLanes; ++k) {
-        ASSERT_EQ(inside >> k & 1, static_cast<unsigned>(survives(f, o + t[k] * d)));
+        ASSERT_EQ(inside >> k & 1, static_cast<unsigned>(survives(f, points[k])));
         inside_seen += inside >> k & 1;
       }
     }
@@ -66,6 +67,7 @@ struct Intersections {
   RaysInGrid within;
   unsigned entered = 0, crossed = 0;
   double depth[kLanes] = {};
+  Points points = {};
 };
 Intersections intersections(const Kernels& kernels, const Field& f, const Map& map, const Transform* matrix,
                             const RayBatch& row) {
@@ -75,7 +77,7 @@ Intersections intersections(const Kernels& kernels, const Field& f, const Map& m
   packet_kernels().local(matrix, rays, local);
   Intersections c;
   c.entered = kernels.enter(map.grid(), std::sqrt(f.escape), local, rays.active, t_max, c.within);
-  c.crossed = kernels.first_intersections(f, c.within.rays, c.within.interval, c.entered, c.depth);
+  c.crossed = kernels.first_intersections(f, c.within.rays, c.within.interval, c.entered, c.depth, c.points);
   return c;
 }
 
@@ -111,7 +113,10 @@ TEST(JuliaPacket, InstructionSetsGiveTheSameBits) {
         ASSERT_EQ(other.crossed, plain.crossed);
         each_lane(plain.entered,
                   [&](int k) { ASSERT_EQ(other.within.interval.last[k], plain.within.interval.last[k]); });
-        each_lane(plain.crossed, [&](int k) { ASSERT_EQ(other.depth[k], plain.depth[k]); });
+        each_lane(plain.crossed, [&](int k) {
+          ASSERT_EQ(other.depth[k], plain.depth[k]);
+          ASSERT_EQ(other.points[k], plain.points[k]);
+        });
       }
     }
     EXPECT_GT(entered, 1000);

@@ -56,9 +56,26 @@ struct Range {
   double s0, s1, r0, r1;
 };
 
+// As POV-Ray keeps it, to the last bit (spec 08 B): a point P of its plane is p + a (q - p) + b (s - p) with
+// a = (P - p).to_a, b = (P - p).to_b.
+struct FlatPiece {
+  Vec3 to_a, to_b, normal;  // columns of the inverse of the rows q - p, s - p, and the unit normal; 0: a degenerate one
+
+  FlatPiece(const Vec3& p, const Vec3& q, const Vec3& s) : to_a(0.0), to_b(0.0), normal(0.0) {
+    const Vec3 e1 = q - p, e2 = s - p, n = cross(e1, e2);
+    if (!(dot(n, n) > 1e-10 * dot(e1, e1) * dot(e2, e2))) return;
+    const Vec3 unit = normalize(n);
+    const double determinant = e1.x * e2.y * unit.z + e1.y * e2.z * unit.x + e1.z * e2.x * unit.y -
+                               e1.z * e2.y * unit.x - e1.x * e2.z * unit.y - e1.y * e2.x * unit.z;
+    const double by = 1 / determinant;
+    to_a = cross(e2, unit) * by, to_b = cross(unit, e1) * by, normal = n * by;
+  }
+};
+
 struct Leaf {
-  Vec3 corner[4];  // 00, 03, 33, 30
-  Vec3 normal[4];  // of the whole patch there
+  Vec3 first;           // the corner 00, which both triangles have
+  FlatPiece pieces[2];  // 00, 03, 33 and 00, 33, 30
+  Vec3 normal[4];       // of the whole patch at 00, 03, 33, 30
   Range range;
 };
 
@@ -87,22 +104,21 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
  public:
   BicubicPatch(const scene::Object& description, const scene::BicubicPatch& patch)
       : TreePrimitive(description, {bicubic_patch_box(patch), true}), points_(patch.points), uv_(patch.uv) {
+    std::vector<Box3> boxes;
     const bool fits = subdivide(patch, points_, {0, 1, 0, 1}, 0, [&](const Points& p, const Range& range) {
       const auto& [s0, s1, r0, r1] = range;
-      leaves_.push_back({{p[0], p[3], p[15], p[12]},
+      Box3 box(p[0]);
+      for (const std::size_t corner : {3, 15, 12}) box.extendBy(p[corner]);
+      boxes.push_back(box);
+      leaves_.push_back({p[0],
+                         {{p[0], p[3], p[15]}, {p[0], p[15], p[12]}},
                          {exact_normal(s0, r0), exact_normal(s0, r1), exact_normal(s1, r1), exact_normal(s1, r0)},
                          range});
       return leaves_.size() <= kMaxLeaves;
     });
     if (!fits) throw std::runtime_error("bicubic_patch: too many pieces");
     tree_ = accel::Bvh(
-        leaves_.size(),
-        [&](std::size_t i) {
-          Box3 box;
-          for (const Vec3& c : leaves_[i].corner) box.extendBy(c);
-          return box;
-        },
-        2);
+        leaves_.size(), [&](std::size_t i) { return boxes[i]; }, 2);
     std::vector<Leaf> sorted;
     sorted.reserve(tree_.order().size());
     for (const std::uint32_t i : tree_.order()) sorted.push_back(leaves_[i]);
@@ -154,18 +170,14 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
   template <class Sink>
   void triangle(std::uint32_t i, int half, const Ray& ray, const LocalRay& r, Sink& sink) const {
     const Leaf& leaf = leaves_[i];
-    const Vec3 &p = leaf.corner[0], &q = half ? leaf.corner[2] : leaf.corner[1],
-               &s = half ? leaf.corner[3] : leaf.corner[2];
-    const Vec3 e1 = q - p, e2 = s - p, n = cross(e1, e2);
-    const double n2 = dot(n, n);
-    if (!(n2 > 1e-10 * dot(e1, e1) * dot(e2, e2))) return;
-    const double slope = dot(r.direction, n), t = dot(n, p - r.origin) / slope, world_t = t / r.scale;
+    const FlatPiece& piece = leaf.pieces[half];
+    const double slope = dot(r.direction, piece.normal);
+    if (!(std::fabs(slope) >= kEpsilon)) return;
+    const double t = dot(leaf.first - r.origin, piece.normal) / slope, world_t = t / r.scale;
     if (!(world_t >= kNearest && world_t <= sink.upper())) return;
-    const Vec3 x = r.origin + t * r.direction - p;
-    const double an = dot(cross(x, e2), n), bn = dot(cross(e1, x), n);
-    if (!(an >= 0 && bn >= 0)) return;
-    const double a = an / n2, b = bn / n2;
-    if (!(a + b <= 1) || std::fabs(slope / std::sqrt(n2)) < kEpsilon) return;
+    const Vec3 x = r.origin + t * r.direction - leaf.first;
+    const double a = dot(x, piece.to_a), b = dot(x, piece.to_b);
+    if (!(a >= 0 && b >= 0 && a + b <= 1)) return;
     sink.add(
         world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(2 * i) + half, a, b);
   }
@@ -190,7 +202,7 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
     const Vec3 n = cross(along_s, along_r);
     const double n2 = dot(n, n);
     if (n2 <= 1e-10 * dot(along_s, along_s) * dot(along_r, along_r)) return {1, 0, 0};
-    return n / std::sqrt(n2);
+    return normalize(n);
   }
 
   Points points_;

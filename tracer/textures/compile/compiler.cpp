@@ -80,6 +80,7 @@ struct Compiler::Impl {
   const CompiledTexture* share(CompiledTexture c);
   const CompiledNormal* share(CompiledNormal c);
 
+  bool map_lets_light_through(const scene::Pigment& d);
   CompiledPigment make_pigment(const scene::Pigment& d);
   CompiledPigment make_density(const scene::Density& d);
   CompiledNormal make_normal(const scene::Normal& d, bool no_bump_scale);
@@ -141,7 +142,9 @@ const CompiledTexture* Compiler::Impl::texture(const scene::TexturePtr& d, bool 
 }
 
 const CompiledPigment* Compiler::Impl::share(CompiledPigment c) {
-  if (c.source != CompiledPigment::Source::plain || c.pattern) return pigments.add(std::move(c));
+  // One that is transparent by what it has replaced is another than its colour tells.
+  const bool told_by_color = c.source == CompiledPigment::Source::plain && c.transparent == lets_light_through(c.color);
+  if (!told_by_color || c.pattern) return pigments.add(std::move(c));
   const CompiledPigment*& known = solid_colors[SolidColor(c.color)];
   if (!known) known = pigments.add(std::move(c));
   return known;
@@ -208,6 +211,13 @@ void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, c
   }
 }
 
+bool Compiler::Impl::map_lets_light_through(const scene::Pigment& d) {
+  if (d.pigment_map)
+    return std::ranges::any_of(*d.pigment_map, [this](const auto& entry) { return pigment(entry.value)->transparent; });
+  return d.color_map &&
+         std::ranges::any_of(*d.color_map, [](const auto& entry) { return lets_light_through(entry.value); });
+}
+
 CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
   const Deeper deeper(depth);
   CompiledPigment c;
@@ -217,8 +227,9 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
     return c;
   }
   if (d.pattern.kind == scene::PatternKind::none) return c;
-  // A pattern keeps the solid colour that it has taken the place of, and POV-Ray heeds it still.
-  c.transparent = lets_light_through(d.color);
+  // A pattern keeps the solid colour that it has taken the place of, a solid colour and an image the map, and POV-Ray
+  // heeds them still.
+  c.transparent = lets_light_through(d.color) || map_lets_light_through(d);
   switch (d.pattern.kind) {
     case scene::PatternKind::plain:
       c.color = d.color;

@@ -140,8 +140,7 @@ void PathTracer::atmosphere(const Walk& walk, double length, Rgb& factor, Rgb& a
   }
   if (scene_.data.fog) {
     const shading::FogEffect fog =
-        shading::fog_along(scene_.data.scene.fogs, walk.ray.ray.origin, walk.ray.ray.direction, length,
-                           scene_.data.scene.settings.noise_generator);
+        shading::fog_along(scene_.data.scene.fogs, walk.ray.ray, length, scene_.data.scene.settings.noise_generator);
     factor *= fog.passed;
     added = fog.added + fog.passed * added;
   }

@@ -210,10 +210,9 @@ Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit
       if (finish.metallic > 0) color *= shading::metallic_tint(l.pigment.rgb(), finish.metallic, cosine);
       own += color;
     }
-    if (finish.irid > 0) {
-      const shading::LayerContext context{*l.layer, l.pigment, l.normal, l.opacity, l.filter};
-      own *= tracer_.iridescence_of(at, context, std::fabs(cosine) + std::fabs(dot(l.normal, view)));
-    }
+    if (finish.irid > 0)
+      own *= tracer_.film_tint(finish, tracer_.film_thickness(finish, at.hit.point),
+                               std::fabs(cosine) + std::fabs(dot(l.normal, view)));
     sum += l.filter * own;
   }
   return sum * static_cast<float>(1 / kPi);
@@ -312,11 +311,10 @@ bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& laye
 void PathTracer::mirror(Walk& walk, const shading::SurfaceHit& at, const Layer& layer) {
   const Vec3 d = walk.ray.ray.direction;
   walk.ray.ray = {at.hit.point, shading::reflected_direction(d, layer.normal, at.raw)};
-  if (layer.layer->finish.irid > 0) {
-    const shading::LayerContext context{*layer.layer, layer.pigment, layer.normal, 1, Rgb(1)};
-    walk.weight *= tracer_.iridescence_of(
-        at, context, std::fabs(dot(layer.normal, walk.ray.ray.direction)) + std::fabs(dot(layer.normal, d)));
-  }
+  if (const scene::Finish& finish = layer.layer->finish; finish.irid > 0)
+    walk.weight *=
+        tracer_.film_tint(finish, tracer_.film_thickness(finish, at.hit.point),
+                          std::fabs(dot(layer.normal, walk.ray.ray.direction)) + std::fabs(dot(layer.normal, d)));
   walk.ray.primary = false, walk.ray.reflected = true, walk.ray.continuation = false;
   walk.origin = {};
   ++tracer_.statistics().reflected_rays;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace verisim::global {
@@ -29,6 +31,24 @@ void for_each_range(std::size_t count, Visit&& visit) {
   }
 }
 
+// By two words that overlap: through memory, as std::swap has it, the load of the first waits for the stores of both.
+void exchange_photons(Photon& a, Photon& b) {
+  using Word = std::uint32_t;
+  constexpr std::size_t kSecond = sizeof(Photon) - sizeof(Word);
+  static_assert(kSecond <= sizeof(Word) && std::is_trivially_copyable_v<Photon>);
+  const auto word = [](const Photon& p, std::size_t offset) {
+    Word w;
+    std::memcpy(&w, reinterpret_cast<const std::byte*>(&p) + offset, sizeof w);
+    return w;
+  };
+  const auto set = [](Photon& p, Word first, Word second) {
+    std::memcpy(reinterpret_cast<std::byte*>(&p), &first, sizeof first);
+    std::memcpy(reinterpret_cast<std::byte*>(&p) + kSecond, &second, sizeof second);
+  };
+  const Word a_first = word(a, 0), a_second = word(a, kSecond), b_first = word(b, 0), b_second = word(b, kSecond);
+  set(a, b_first, b_second), set(b, a_first, a_second);
+}
+
 // Some photons that are put in order.
 struct SortedPart {
   PhotonPosition* positions;
@@ -36,7 +56,7 @@ struct SortedPart {
   std::size_t size;
   float at(std::size_t i, std::size_t axis) const { return positions[i][axis]; }
   void exchange(std::size_t i, std::size_t j) const {
-    std::swap(positions[i], positions[j]), std::swap(photons[i], photons[j]);
+    std::swap(positions[i], positions[j]), exchange_photons(photons[i], photons[j]);
   }
 };
 

@@ -11,9 +11,17 @@ constexpr int kLevelsOfNode = std::bit_width(PhotonTree::kParts) - 1;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 void set_bounds(PhotonBoxes& boxes, std::size_t lane, std::span<const PhotonPosition> photons) {
+  PhotonPosition low = photons.front(), high = low;
+  for (const PhotonPosition& p : photons)
+    for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
+  for (std::size_t a = 0; a < 3; ++a) boxes.low[a][lane] = low[a], boxes.high[a][lane] = high[a];
+}
+
+// Around all that a node holds.
+void set_bounds(PhotonBoxes& boxes, std::size_t lane, const PhotonBoxes& parts) {
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto [low, high] = std::ranges::minmax(photons, {}, [a](const PhotonPosition& p) { return p[a]; });
-    boxes.low[a][lane] = low[a], boxes.high[a][lane] = high[a];
+    boxes.low[a][lane] = *std::ranges::min_element(parts.low[a]);
+    boxes.high[a][lane] = *std::ranges::max_element(parts.high[a]);
   }
 }
 
@@ -55,13 +63,14 @@ std::uint32_t PhotonTree::add_node(std::span<const PhotonPosition> sorted, const
   }
   for (std::size_t lane = 0; lane < n; ++lane) {
     const Range& part = parts[lane];
-    set_bounds(nodes_[number].boxes, lane, sorted.subspan(part.first, part.size()));
     if (height == 0) {
+      set_bounds(nodes_[number].boxes, lane, sorted.subspan(part.first, part.size()));
       nodes_[number].child[lane] = static_cast<std::uint32_t>(firsts_.size());
       firsts_.push_back(part.first);
     } else {
       const std::uint32_t child = add_node(sorted, part, height - 1, kLevelsOfNode);  // may move the nodes
       nodes_[number].child[lane] = child;
+      set_bounds(nodes_[number].boxes, lane, nodes_[child].boxes);
     }
   }
   return number;

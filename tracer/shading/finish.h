@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tracer/math/vec.h"
+#include "tracer/noise/noise.h"
 #include "tracer/scene/texture.h"
 #include "tracer/shading/highlights.h"
 
@@ -25,6 +26,12 @@ Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine);
 // Thin-film interference factor per channel; `thickness` includes turbulence, cosines is abs(N.L) + abs(N.D) (spec
 // 06 4.2.6).
 Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength);
+
+// The film's turbulence, and its thickness where that is t.
+inline textures::Octaves film_octaves() { return {5, 2, 0.5}; }
+inline double turbulent_thickness(const scene::Finish& f, double t) {
+  return f.irid_thickness * (1 + (2 * t - 1) * f.irid_turbulence);
+}
 
 // Unpolarised dielectric reflectance for relative index eta and cosine of the viewing angle; 1 on total reflection
 // (spec 06 5.1).

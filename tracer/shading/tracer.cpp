@@ -1,5 +1,7 @@
 #include "tracer/shading/tracer.h"
 
+#include <boost/container/static_vector.hpp>
+
 #include "tracer/shading/atmosphere/fog.h"
 
 namespace verisim::shading {
@@ -120,14 +122,19 @@ void Tracer::apply_volumes(const RayState& ray, double length, const shapes::Sur
     if (count > 0) color = Color(sum * (1 / count), 0, color.t * see_through);
   }
   if (scene_.effects && scene_.effects->atmosphere) scene_.effects->atmosphere_media(*this, ray, length, end, color);
-  apply_fog(ray.ray, length, color);
+  apply_fog({{{ray.ray, length, end, {}, &color}}});
 }
 
-void Tracer::apply_fog(const Ray& ray, double length, Color& color) const {
+void Tracer::apply_fog(std::span<const MediaSegment> segments) const {
   if (!scene_.fog) return;
-  const FogEffect fog =
-      fog_along(scene_.scene.fogs, ray.origin, ray.direction, length, scene_.scene.settings.noise_generator);
-  color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());
+  boost::container::static_vector<FogSegment, textures::PointBatch::kMax> ways;
+  for (const MediaSegment& s : segments) ways.push_back({s.ray, s.length});
+  fog_along(scene_.scene.fogs, scene_.scene.settings.noise_generator, std::span(ways.data(), ways.size()));
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const FogEffect& fog = ways[k].effect;
+    Color& color = *segments[k].color;
+    color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());
+  }
 }
 
 InteriorRange Tracer::copied(std::span<const scene::Interior* const> list) {

@@ -202,7 +202,7 @@ class Tracer {
     const float passed = std::exchange(color.t, without.t * color.t);
     observer_->air(without, color, passed);
   }
-  void apply_fog(const Ray& ray, double length, Color& color) const;
+  void apply_fog(std::span<const MediaSegment> segments) const;
 
   // ---- surface.cpp
   Color shade(const RayState& ray, const shapes::Hit& hit);
@@ -227,7 +227,9 @@ class Tracer {
                   const CachedLight& cache, const Rgb& added);
   Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
                         CachedLight& cache);
-  Rgb iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines);
+  // The thickness of an iridescent film at a point, and the tint that it gives light.
+  double film_thickness(const scene::Finish& finish, const Vec3& p) const;
+  Rgb film_tint(const scene::Finish& finish, double thickness, double cosines) const;
 
   // ---- transmission.cpp
   Color transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection);

@@ -122,11 +122,9 @@ Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& laye
   child.level = at.level;
   ++statistics_.reflected_rays;
   Rgb seen = trace(child).rgb();
-  if (layer.layer->finish.irid > 0) {
-    const LayerContext context{*layer.layer, layer.pigment, layer.normal, 1, Rgb(1)};
-    seen *= iridescence_of(at, context,
-                           std::fabs(dot(layer.normal, child.ray.direction)) + std::fabs(dot(layer.normal, d)));
-  }
+  if (const scene::Finish& finish = layer.layer->finish; finish.irid > 0)
+    seen *= film_tint(finish, film_thickness(finish, at.hit.point),
+                      std::fabs(dot(layer.normal, child.ray.direction)) + std::fabs(dot(layer.normal, d)));
   return seen;
 }
 

@@ -1,6 +1,7 @@
 // Points that textures are asked for together: the hits of neighbouring camera rays.
 #pragma once
 
+#include "tracer/noise/noise.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::textures {
@@ -28,6 +29,9 @@ void evaluate(const CompiledPigment& pigment, int count, const PointBatch& point
               Color* colors, bool* colored);
 // The same for what needs no surface, without filter and transmittance.
 void evaluate(const CompiledPigment& pigment, int count, const PointBatch& points, RgbBatch& colors);
+// Noise summed over octaves at the first `count` points, filled up, as `turbulence` gives it one by one; as many values
+// are written as there are points then, aligned as they are.
+void turbulence(int generator, int count, const PointBatch& points, const Octaves& octaves, double* values);
 // The normals to shade with at the first `count` points, as `perturb` gives them one by one.
 void perturb(const CompiledNormal& normal, int count, const PointBatch& points, SurfacePoint* const* surfaces,
              Vec3* normals);

@@ -434,6 +434,11 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   }
 }
 
+bool World::nothing_around(const Box3& box) const {
+  const auto may_hold = [&](const Entry& e) { return e.object->interior && e.box().intersects(box); };
+  return !impl_->interiors || std::ranges::none_of(impl_->entries, may_hold);
+}
+
 // A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).
 void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
                               std::vector<textures::WeightedTexture>& out) const {

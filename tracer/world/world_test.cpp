@@ -367,6 +367,13 @@ TEST(World, InteriorsAroundAPointInOrderOfDeclaration) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(interiors[i], objects[8 + i]->interior.get());
 }
 
+TEST(World, NothingIsAroundBoxesThatNoObjectReaches) {
+  const Stage stage({sphere({0, 0, 0}, 1), sphere({3, 0, 0}, 0.5), sphere({0, 3, 0}, 0.5), sphere({0, 0, 3}, 0.5)});
+  EXPECT_FALSE(stage.world->nothing_around({Vec3(0.2), Vec3(0.3)}));
+  EXPECT_FALSE(stage.world->nothing_around({{2, -1, -1}, {4, 1, 1}}));
+  EXPECT_TRUE(stage.world->nothing_around({{1.1, -1, -1}, {2.4, 1, 1}}));
+}
+
 // Below the disc all is inside, as far as the object's box reaches.
 TEST(World, InsideReachesBeyondTheSurface) {
   const auto tilted =

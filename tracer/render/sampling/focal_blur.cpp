@@ -232,6 +232,15 @@ Color FocalBlur::Average::mean() const {
   return {sum_.r / count, sum_.g / count, sum_.b / count, sum_.f / count, sum_.t / count};
 }
 
+Box3 FocalBlur::lens() const {
+  constexpr double kRounding = 1e-6;
+  Vec3 reach;
+  for (int i = 0; i < 3; ++i)
+    reach[i] = (lens_extent_.x * std::fabs(lens_x_[i]) + lens_extent_.y * std::fabs(lens_y_[i])) * (1 + kRounding) +
+               1e-12 * std::fabs(location_[i]);
+  return {location_ - reach, location_ + reach};
+}
+
 // A ray is at location + q + s (d - q) for s >= 0, where q lies on the lens and d leads to the point that is in focus.
 // It is followed to the s at which all rays are behind the world: a longer shaft would be wider than need be, because
 // lens rays diverge on both sides of the focus.
@@ -254,12 +263,9 @@ std::optional<accel::Shaft> FocalBlur::shaft(const CameraRays& camera, const Box
   }
   if (!(depth > 0)) return std::nullopt;
   const double s = furthest / depth * (1 + kRounding);
-  Vec3 lens;
-  for (int i = 0; i < 3; ++i)
-    lens[i] = (lens_extent_.x * std::fabs(lens_x_[i]) + lens_extent_.y * std::fabs(lens_y_[i])) * (1 + kRounding);
-  const Vec3 spread = lens * std::fabs(1 - s);
-  return accel::Shaft::between({location_ - lens, location_ + lens},
-                               {location_ + s * focused.min - spread, location_ + s * focused.max + spread});
+  const Box3 from = lens();
+  const Vec3 spread = 0.5 * (from.max - from.min) * std::fabs(1 - s);
+  return accel::Shaft::between(from, {location_ + s * focused.min - spread, location_ + s * focused.max + spread});
 }
 
 }  // namespace verisim::render

@@ -50,6 +50,8 @@ class FocalBlur {
   std::optional<accel::Shaft> shaft(const CameraRays& camera, const Box3& world, double left, double top, double right,
                                     double bottom) const;
 
+  // Where all lens rays start.
+  Box3 lens() const;
   const std::vector<Vec2>& positions() const { return positions_; }
   double lens_jitter() const { return lens_jitter_; }
 

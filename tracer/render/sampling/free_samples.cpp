@@ -36,7 +36,7 @@ Color PixelSampler::free_sample(const Vec2& place) {
     const std::optional<Ray> ray = free_ray(place, k);
     if (!ray) continue;
     tracer_.random().begin_sample(place.x, place.y, static_cast<std::uint32_t>(k));
-    sum += tracer_.trace_camera(*ray, camera_.origin_varies, camera_.limit());
+    sum += tracer_.trace_camera(*ray, starts_differ_, camera_.limit());
     ++shot;
   }
   return shot > 0 ? sum * (1.0f / static_cast<float>(shot)) : kNoRay;
@@ -86,7 +86,7 @@ void PixelSampler::free_wavefront(std::span<const FreeRay> rays, const Vec2* pla
     const auto& [ray, sample, number] = rays[k];
     if (!together) {
       tracer_.random().begin_sample(places[sample].x, places[sample].y, static_cast<std::uint32_t>(number));
-      seen[k] = tracer_.trace_camera(ray, camera_.origin_varies);
+      seen[k] = tracer_.trace_camera(ray, starts_differ_);
     }
     sums[sample] += seen[k];
   }

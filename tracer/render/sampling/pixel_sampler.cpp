@@ -27,6 +27,13 @@ CameraModel::CameraModel(const scene::Camera& description, int width, int height
   if (!mesh) find_coherence(width, height);
 }
 
+PixelSampler::PixelSampler(const CameraModel& camera, shading::Tracer& tracer)
+    : camera_(camera),
+      tracer_(tracer),
+      starts_differ_(camera.origin_varies &&
+                     !(camera.blur && tracer.scene().world.nothing_around(camera.blur->lens()))),
+      wavefront_(tracer) {}
+
 // From the rays of three pixels in the middle.
 void CameraModel::find_coherence(int width, int height) {
   using Kind = accel::CameraCoherence::Kind;
@@ -142,8 +149,8 @@ bool PixelSampler::aim(int count) {
 }
 
 bool PixelSampler::starts_like_the_first(int i) {
-  const auto around =
-      tracer_.interiors(tracer_.camera_state(wavefront_.packet().rays.at(i), camera_.origin_varies).interiors);
+  if (!starts_differ_) return true;
+  const auto around = tracer_.interiors(tracer_.camera_state(wavefront_.packet().rays.at(i), starts_differ_).interiors);
   if (i == 0) around_.assign(around.begin(), around.end());
   return std::ranges::equal(around, around_);
 }
@@ -177,7 +184,7 @@ void PixelSampler::point_wavefront(int count, Color* colors) {
 
 Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {
   if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
-  return tracer_.trace_camera(ray, camera_.origin_varies, std::numeric_limits<double>::infinity(), entry);
+  return tracer_.trace_camera(ray, starts_differ_, std::numeric_limits<double>::infinity(), entry);
 }
 
 void PixelSampler::other_points(int count, Color* colors) {

@@ -40,8 +40,7 @@ struct CameraModel {
 // One per thread.
 class PixelSampler {
  public:
-  PixelSampler(const CameraModel& camera, shading::Tracer& tracer)
-      : camera_(camera), tracer_(tracer), wavefront_(tracer) {}
+  PixelSampler(const CameraModel& camera, shading::Tracer& tracer);
   // (x, y): pixel position, centres at integers. A position without a ray is black with transmit 1.
   Color operator()(double x, double y);
   // The colours at (x, y), (x + 1, y) ...: the same as one by one, but faster.
@@ -90,6 +89,7 @@ class PixelSampler {
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;
+  bool starts_differ_;  // rays may start within different objects
   shading::Wavefront wavefront_;
   std::vector<const scene::Interior*> around_;  // the wavefront's first ray, where rays start at different points
   // The samples that are taken together, and the rays that they wait for.

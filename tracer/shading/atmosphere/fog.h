@@ -14,8 +14,14 @@ constexpr double kMissDistance = 2e10;  // what fog and rainbows take for the le
 struct FogEffect {
   Rgb added, passed{1};
 };
-FogEffect fog_along(std::span<const scene::Fog> fogs, const Vec3& origin, const Vec3& direction, double length,
-                    int noise_generator);
+struct FogSegment {
+  Ray ray;
+  double length;
+  FogEffect effect{};
+};
+// Sets the effects on at most textures::PointBatch::kMax segments.
+void fog_along(std::span<const scene::Fog> fogs, int noise_generator, std::span<FogSegment> segments);
+FogEffect fog_along(std::span<const scene::Fog> fogs, const Ray& ray, double length, int noise_generator);
 
 // Mean density of ground fog between two heights, relative to its maximum.
 double ground_fog_density(double start_height, double end_height, double offset, double altitude);

@@ -190,17 +190,19 @@ Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, cons
       sum += color;
     }
   }
-  if (finish.irid > 0) sum *= iridescence_of(at, layer, std::fabs(cosine) + std::fabs(dot(layer.normal, view)));
+  if (finish.irid > 0)
+    sum *=
+        film_tint(finish, film_thickness(finish, at.hit.point), std::fabs(cosine) + std::fabs(dot(layer.normal, view)));
   return sum;
 }
 
-Rgb Tracer::iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines) {
-  const scene::Finish& finish = layer.layer.finish;
-  double thickness = finish.irid_thickness;
-  if (finish.irid_turbulence != 0) {
-    const double t = textures::turbulence(at.hit.point, 5, 2, 0.5, scene_.scene.settings.noise_generator);
-    thickness *= 1 + (2 * t - 1) * finish.irid_turbulence;
-  }
+double Tracer::film_thickness(const scene::Finish& finish, const Vec3& p) const {
+  if (finish.irid_turbulence == 0) return finish.irid_thickness;
+  static const textures::Octaves octaves = film_octaves();
+  return turbulent_thickness(finish, textures::turbulence(p, octaves, scene_.scene.settings.noise_generator));
+}
+
+Rgb Tracer::film_tint(const scene::Finish& finish, double thickness, double cosines) const {
   return iridescence(finish.irid, thickness, cosines, scene_.scene.settings.irid_wavelength);
 }
 

@@ -20,7 +20,8 @@ Wavefront::Wavefront(Tracer& tracer, bool asks_around)
   indirect_ = asks_around && scene_.effects && scene_.effects->radiosity;
   photons_ = scene_.effects && scene_.effects->photons;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
-  for (float* tint : {packet_.tint.r, packet_.tint.g, packet_.tint.b}) std::fill_n(tint, kMax, 1.0f);
+  for (float* tint : {packet_.tint.r, packet_.tint.g, packet_.tint.b, packet_.film.r, packet_.film.g, packet_.film.b})
+    std::fill_n(tint, kMax, 1.0f);
   plain_sky_ = !scene_.sky.varies();
   for (const bool opaque : {false, true})
     if (plain_sky_) sky_[opaque] = scene_.sky.seen({0, 0, 1}, opaque);
@@ -158,6 +159,19 @@ void Wavefront::evaluate_lobes() {
         packet_.strength[k] = static_cast<float>(highlight(k));
   }
   if (lobes_ & (kBothHighlights | kBrilliance)) evaluate_special_lobes();
+  if ((lobes_ & kFilm) || filmed_) tint_by_films();
+}
+
+// What iridescence makes of the light of each surface.
+void Wavefront::tint_by_films() {
+  for (int k = 0; k < count_; ++k) {
+    Rgb tint(1);
+    if ((material_[k]->lobes & kFilm) && packet_.lit[k] != 0)
+      tint = tracer_.film_tint(*finish_[k], part_[k]->thickness,
+                               std::fabs(packet_.cosine[k]) + std::fabs(dot(packet_.normal.at(k), packet_.view.at(k))));
+    packet_.film.r[k] = tint.r, packet_.film.g[k] = tint.g, packet_.film.b[k] = tint.b;
+  }
+  filmed_ = true;
 }
 
 // What the wide instructions do not know.
@@ -328,16 +342,18 @@ void Wavefront::apply_volumes(int count, const bool* cut_off, Color* out) {
       if (found_[i] && !cut_off[i]) segments[n++] = segment(i, RandomBranch::kContainer, out[i]);
     scene_.effects->container_media(tracer_, state_, std::span(segments, n));
   }
-  if (scene_.effects && scene_.effects->atmosphere && scene_.rainbows.empty()) {
+  if (!tracer_.has_volumes_) return;
+  if (scene_.rainbows.empty()) {
     MediaSegment segments[kMax];
     std::size_t n = 0;
     for (int i = 0; i < count; ++i)
       if (!cut_off[i]) segments[n++] = segment(i, RandomBranch::kAir, out[i]);
-    scene_.effects->atmosphere_media(tracer_, state_, std::span(segments, n));
-    for (const MediaSegment& s : std::span(segments, n)) tracer_.apply_fog(s.ray, s.length, *s.color);
+    if (scene_.effects && scene_.effects->atmosphere)
+      scene_.effects->atmosphere_media(tracer_, state_, std::span(segments, n));
+    tracer_.apply_fog(std::span(segments, n));
     return;
   }
-  for (int i = 0; i < count && tracer_.has_volumes_; ++i) {
+  for (int i = 0; i < count; ++i) {
     if (cut_off[i]) continue;
     tracer_.random_.begin(keys_[i]);
     tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance,

@@ -59,7 +59,7 @@ class Wavefront {
     Highlight highlight;  // Phong's, or where there is none Blinn's
     unsigned lobes = 0;   // how it responds to light, as bits
   };
-  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16;
+  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16, kFilm = 32;
   // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for
   // them.
   using Materials = std::vector<Material>;
@@ -69,10 +69,11 @@ class Wavefront {
     Vec3 normal;
     Color color;
     float opacity = 0;
-    Rgb filter;       // of the layers above
-    int index = 0;    // in its texture
-    int next = -1;    // the layer below
-    int mirror = -1;  // its branch
+    double thickness = 0;  // of an iridescent film
+    Rgb filter;            // of the layers above
+    int index = 0;         // in its texture
+    int next = -1;         // the layer below
+    int mirror = -1;       // its branch
   };
   // One of the textures that show at a hit.
   struct Leaf {
@@ -102,6 +103,7 @@ class Wavefront {
   void add_weighted_leaves(int i);
   void find_parts(int count);
   void find_layers(int* leaves, int n);
+  void find_thickness(const Material& material, const int* leaves, int n, double* thickness) const;
   void find_colors_and_normals(const Material& material, const int* leaves, int n);
   void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
                 float weight);
@@ -115,10 +117,11 @@ class Wavefront {
     int ray, leaf;
     bool behind;
     RandomSource::Key key;
-    float weight = 0;    // behind, until it is aimed: relative to that of its ray
-    bool total = false;  // reflected where it might have gone on
-    bool seen = false;   // `color` is known
-    int group = -1;      // which wavefront it is part of; -1: none, 0: mirrors
+    double thickness = 0;  // of an iridescent film
+    float weight = 0;      // behind, until it is aimed: relative to that of its ray
+    bool total = false;    // reflected where it might have gone on
+    bool seen = false;     // `color` is known
+    int group = -1;        // which wavefront it is part of; -1: none, 0: mirrors
     Vec3 direction{};
     Color color{};
   };
@@ -136,6 +139,7 @@ class Wavefront {
   void trace_branches();
   void trace_group(int group, const Tracer::Refraction* refraction);
   void add_branches(const Leaf& leaf, Color& color);
+  Color mirrored_by_film(const Branch& branch, const Color& color) const;
   Color seen_behind(const Branch& branch, bool& total);
 
   // ---- wavefront.cpp
@@ -159,6 +163,7 @@ class Wavefront {
   void cast_shadows(const Light& light);
   void evaluate_lobes();
   void evaluate_special_lobes();
+  void tint_by_films();
   double highlight(int k) const;
 
   Tracer& tracer_;
@@ -187,10 +192,10 @@ class Wavefront {
   Vec2 places_[kMax];
   std::uint32_t numbers_[kMax] = {};
   RandomSource::Key keys_[kMax];
-  int count_ = 0;                            // of surfaces
-  unsigned lobes_ = 0;                       // of all surfaces
-  bool tinted_ = false, attenuated_ = true;  // false: all tints, all attenuations are 1
-  bool layered_ = false;                     // a hit has several surfaces here
+  int count_ = 0;                                             // of surfaces
+  unsigned lobes_ = 0;                                        // of all surfaces
+  bool tinted_ = false, filmed_ = false, attenuated_ = true;  // false: all tints, films, attenuations are 1
+  bool layered_ = false;                                      // a hit has several surfaces here
   WavefrontPacket packet_;
   shapes::Hit hits_[kMax];
   Met met_[kMax];

@@ -26,7 +26,8 @@ int Wavefront::add_branch(const Leaf& leaf, const Tracer::ShadedLayer& layer, bo
   const std::uint32_t number = behind
                                    ? RandomBranch::behind(texture)
                                    : RandomBranch::mirror(texture, parts_[static_cast<std::size_t>(leaf.last)].index);
-  branches_.push_back({layer, leaf.ray, index, behind, RandomSource::branch_key(keys_[leaf.ray], number)});
+  branches_.push_back({layer, leaf.ray, index, behind, RandomSource::branch_key(keys_[leaf.ray], number),
+                       parts_[static_cast<std::size_t>(behind ? leaf.first : leaf.last)].thickness});
   return static_cast<int>(branches_.size()) - 1;
 }
 
@@ -125,7 +126,7 @@ void Wavefront::trace_group(int group, const Tracer::Refraction* refraction) {
     const accel::WorldEntry* const unknown[kMax] = {};
     Color colors[kMax];
     if (n > 0) child.run(n, unknown, colors);
-    for (int k = 0; k < n; ++k) traced[k]->color = colors[k];
+    for (int k = 0; k < n; ++k) traced[k]->color = group == 0 ? mirrored_by_film(*traced[k], colors[k]) : colors[k];
     n = 0;
   };
   for (Branch& branch : branches_) {
@@ -142,6 +143,16 @@ void Wavefront::trace_group(int group, const Tracer::Refraction* refraction) {
     if (n == kMax) trace_waiting();
   }
   trace_waiting();
+}
+
+// What a mirror under an iridescent film shows of a colour.
+Color Wavefront::mirrored_by_film(const Branch& branch, const Color& color) const {
+  const scene::Finish& finish = branch.layer.layer->finish;
+  if (!(finish.irid > 0)) return color;
+  const Vec3& normal = branch.layer.normal;
+  const double cosines =
+      std::fabs(dot(normal, branch.direction)) + std::fabs(dot(normal, packet_.rays.direction.at(branch.ray)));
+  return Color(color.rgb() * tracer_.film_tint(finish, branch.thickness, cosines), 0, color.t);
 }
 
 // What a texture shows behind itself and in its mirrors.

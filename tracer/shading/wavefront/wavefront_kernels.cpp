@@ -133,18 +133,18 @@ bool evaluate_lobes(bool phong, bool blinn, int count, WavefrontPacket& packet) 
 }
 
 void add_channel(int end, const WavefrontPacket& packet, const float* pigment, const float* intensity,
-                 const float* tint, float* direct) {
+                 const float* tint, const float* film, float* direct) {
   for (int i = 0; i < end; ++i) {
     const float added = packet.scattered[i] * pigment[i] * intensity[i] + intensity[i] * packet.strength[i] * tint[i];
-    direct[i] = packet.lit[i] != 0 ? direct[i] + added : direct[i];
+    direct[i] = packet.lit[i] != 0 ? direct[i] + added * film[i] : direct[i];
   }
 }
 
 void add(int count, WavefrontPacket& packet) {
   const int end = rounded(count);
-  add_channel(end, packet, packet.pigment.r, packet.intensity.r, packet.tint.r, packet.direct.r);
-  add_channel(end, packet, packet.pigment.g, packet.intensity.g, packet.tint.g, packet.direct.g);
-  add_channel(end, packet, packet.pigment.b, packet.intensity.b, packet.tint.b, packet.direct.b);
+  add_channel(end, packet, packet.pigment.r, packet.intensity.r, packet.tint.r, packet.film.r, packet.direct.r);
+  add_channel(end, packet, packet.pigment.g, packet.intensity.g, packet.tint.g, packet.film.g, packet.direct.g);
+  add_channel(end, packet, packet.pigment.b, packet.intensity.b, packet.tint.b, packet.film.b, packet.direct.b);
 }
 
 void add_own(int count, WavefrontPacket& packet) {

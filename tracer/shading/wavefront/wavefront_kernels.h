@@ -36,7 +36,7 @@ struct alignas(64) WavefrontPacket {
   Doubles distance, cosine;
   Floats attenuation;            // of the light on its way
   std::int32_t active[kMax];     // 1: the light counts where nothing is in its way
-  Colors intensity, tint;        // what arrives; how metals tint the highlight
+  Colors intensity, tint, film;  // what arrives; how metals tint the highlight, and iridescence all of it
   Floats diffuse;                // opacity * coefficient; 0: none
   Floats lit;                    // 1 or 0
   Doubles shines;                // 1 or 0: with highlights

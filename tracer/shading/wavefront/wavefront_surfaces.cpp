@@ -18,7 +18,7 @@ bool Wavefront::shaded_together(const textures::CompiledTexture& texture) const 
   if (texture.patterned() || texture.layers.size() > kMaxLayers) return false;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
-    if (f.crand > 0 || f.irid > 0 || (f.subsurface && scene_.effects && scene_.effects->subsurface)) return false;
+    if (f.crand > 0 || (f.subsurface && scene_.effects && scene_.effects->subsurface)) return false;
   }
   return true;
 }
@@ -46,10 +46,10 @@ Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& 
                : f.specular > 0 ? kBlinn
                                 : 0) |
               (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) |
-              (f.brilliance != 1 ? kBrilliance : 0);
+              (f.brilliance != 1 ? kBrilliance : 0) | (f.irid > 0 ? kFilm : 0);
     m.opacity = surface_opacity(m.color, scene_.version);
     m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ &&
-              !photons_ && is_finite(m.color.rgb());
+              !photons_ && is_finite(m.color.rgb()) && !(m.lobes & kFilm);
     const bool finite = is_finite(m.glow) && std::fabs(m.highlight.exponent) < 1e6 && m.highlight.amount < 1e30 &&
                         std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
     if (!finite) return {};
@@ -212,6 +212,8 @@ void Wavefront::find_layers(int* leaves, int n) {
   for (const Material& material : *leaves_[static_cast<std::size_t>(leaves[0])].materials) {
     if (n == 0) return;
     find_colors_and_normals(material, leaves, n);
+    double thickness[kMax];
+    if (material.lobes & kFilm) find_thickness(material, leaves, n, thickness);
     int still = 0;
     for (int k = 0; k < n; ++k) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
@@ -228,6 +230,7 @@ void Wavefront::find_layers(int* leaves, int n) {
       part.color = c;
       part.opacity = surface_opacity(c, scene_.version);
       part.filter = leaf.filter;
+      if (material.lobes & kFilm) part.thickness = thickness[k];
       const Rgb reflected = material.mirror ? add_mirror(leaf, part) : Rgb();
       if (material.only && c.f == 0 && c.t == 0) continue;
       leaf.filter *= c.transmission();
@@ -246,6 +249,22 @@ void Wavefront::find_layers(int* leaves, int n) {
     leaf.behind = add_branch(leaf, {top.material->layer, top.color, top.normal, Rgb(), 1}, true);
     branches_.back().weight = leaf.filter.max_abs();
   }
+}
+
+// Of an iridescent film, at n leaves.
+void Wavefront::find_thickness(const Material& material, const int* leaves, int n, double* thickness) const {
+  const scene::Finish& finish = material.layer->finish;
+  if (finish.irid_turbulence == 0) {
+    std::fill_n(thickness, n, finish.irid_thickness);
+    return;
+  }
+  static const textures::Octaves octaves = film_octaves();
+  textures::PointBatch points;
+  for (int k = 0; k < n; ++k) points.set(k, hits_[leaves_[static_cast<std::size_t>(leaves[k])].ray].point);
+  points.fill_up(n);
+  alignas(64) double t[textures::PointBatch::kMax];
+  textures::turbulence(scene_.scene.settings.noise_generator, n, points, octaves, t);
+  for (int k = 0; k < n; ++k) thickness[k] = turbulent_thickness(finish, t[k]);
 }
 
 // Normals first: they leave their trace in what patterns see (Tracer::layer_normal).

@@ -56,6 +56,7 @@ scene::Scene mixed_scene(bool foggy = false) {
     if (i == 10)
       finish.reflection.minimum = Rgb(0.1f, 0.3f, 0.2f), finish.reflection.maximum = Rgb(0.6f),
       finish.reflection.exponent = 1.5f;
+    if (i == 5 || i == 10) finish.irid = 0.4f, finish.irid_thickness = 0.3, finish.irid_turbulence = i == 5 ? 0.7 : 0;
     if (i == 11) finish.crand = 0.2f;  // random numbers in mirrors, too
     if (i == 7) finish.diffuse_back = 0.5f;
     if (i == 9 || i == 2) finish.brilliance = 3;

@@ -27,9 +27,9 @@ class Orbit {
     if (length > kShort) heap_ = std::make_unique<Step[]>(static_cast<std::size_t>(length)), at_ = heap_.get();
   }
   const Number& operator[](int i) const { return at_[i].h; }
-  void set(int i, const Number& h) { at_[i].h = h, at_[i].mapped = false; }
+  void set(int i, const Number& h) { copy(h, at_[i].h), at_[i].mapped = false; }
   // f(hi), if it was computed on the way to the next.
-  void set_image(int i, const Number& image) { at_[i].image = image, at_[i].mapped = true; }
+  void set_image(int i, const Number& image) { copy(image, at_[i].image), at_[i].mapped = true; }
   const Number* image(int i) const { return at_[i].mapped ? &at_[i].image : nullptr; }
   // Few ask for the last iterate of a point that stays: it comes from this one, hN-1 of the last such point.
   void leave_last(const Number& before) { before_last_ = before, last_is_left_ = true; }
@@ -43,6 +43,8 @@ class Orbit {
     Number h, image;
     bool mapped;
   };
+  // Component by component: a wide load of what was just written in pieces waits for it.
+  static void copy(const Number& from, Number& to) { to.x = from.x, to.y = from.y, to.z = from.z, to.w = from.w; }
   static constexpr int kShort = 64;
   alignas(Step) std::byte stack_[kShort * sizeof(Step)];  // not initialised: only what was computed is read
   std::unique_ptr<Step[]> heap_;
@@ -322,7 +324,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   // Fills the orbit but for the last iterate; the step i >= 1 at which it escaped, or 0.
   int iterate(Orbit& orbit, const Number& h0) const {
     return with_kind([&]<Kind K>() {
-      Number h = h0;
+      Number h{h0.x, h0.y, h0.z, h0.w};
       orbit.set(0, h);
       for (int i = 1;; ++i) {
         if (norm2<K>(h) > field_.escape) return i;

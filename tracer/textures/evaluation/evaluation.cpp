@@ -86,4 +86,8 @@ void noise(int generator, const double* points, std::size_t stride, std::size_t 
       [&](const Vec3& p) { return noise(p, generator); });
 }
 
+void turbulence(int generator, int count, const PointBatch& points, const Octaves& octaves, double* values) {
+  kernels.turbulence_batch(generator, count, points, octaves, values);
+}
+
 }  // namespace verisim::textures

@@ -21,6 +21,7 @@ struct EvaluationKernels {
   void (*values_batch)(const CompiledPattern& pattern, int count, const PointBatch& warped_points,
                        const SurfacePoint* const* surfaces, double* values);
   void (*noise_batch)(int generator, int count, const PointBatch& points, double* noises);
+  void (*turbulence_batch)(int generator, int count, const PointBatch& points, const Octaves& octaves, double* sums);
   void (*vector_noise_batch)(int count, const PointBatch& points, PointBatch& vectors);
   void (*wrinkles_batch)(int count, const PointBatch& points, PointBatch& vectors);
 };

@@ -195,6 +195,23 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
   }
 }
 
+TEST(Evaluation, GivesTurbulenceOfManyPointsTheBitsOfOne) {
+  std::mt19937 random(11);
+  const Octaves octaves[] = {Octaves(6, 2, 0.5), Octaves(10, 2.17, 0.63), Octaves(1, 3, 0.1)};
+  for (int round = 0; round < 60; ++round) {
+    const int count = 1 + (round * 13) % PointBatch::kMax, generator = 1 + round % 3;
+    PointBatch points;
+    fill(points, count, std::pow(10.0, round % 5 - 4 + (round == 11 ? 12 : 0)), random);
+    for (int set = 0; set <= simd::best_instruction_set(); ++set) {
+      const EvaluationKernels& kernels = evaluation_kernels(static_cast<simd::InstructionSet>(set));
+      alignas(64) double values[PointBatch::kMax];
+      kernels.turbulence_batch(generator, count, points, octaves[round % 3], values);
+      for (int i = 0; i < count; ++i)
+        ASSERT_EQ(values[i], turbulence(points.at(i), octaves[round % 3], generator)) << set << ' ' << i;
+    }
+  }
+}
+
 TEST(Evaluation, GivesManyPointsOfFunctionsTheBitsOfOne) {
   std::mt19937 random(10);
   std::uniform_real_distribution<double> coordinate(-3, 3);

@@ -57,7 +57,6 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
     case scene::PatternKind::wrinkles:
       return n + c.amount * wrinkles_vector_sum(p);
     case scene::PatternKind::ripples:
-      return ripples_bump(pattern, c.amount, p, n);
     case scene::PatternKind::waves:
       return waves_bump(pattern, c.amount, p, n);
     case scene::PatternKind::quilted: {

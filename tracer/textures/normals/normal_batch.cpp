@@ -1,5 +1,6 @@
 // Normals at the points of a batch: the same, bit by bit, as normal.cpp finds one by one. Kinds that have no wide form
 // are asked point by point.
+#include "tracer/functions/program_packet.h"
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/textures/normals/normal.h"
 #include "tracer/textures/normals/normal_kernels.h"
@@ -23,16 +24,34 @@ bool has_wide_form(const CompiledNormal& c) {
   using enum scene::PatternKind;
   if (c.method == CompiledNormal::Method::height) return true;
   if (c.method != CompiledNormal::Method::displacement) return false;
-  return c.pattern->kind == bumps || c.pattern->kind == dents || c.pattern->kind == wrinkles;
+  const scene::PatternKind kind = c.pattern->kind;
+  return kind == bumps || kind == dents || kind == wrinkles || kind == ripples || kind == waves;
+}
+
+// waves_bump() for a row.
+void add_waves(const CompiledNormal& c, int count, const PointBatch& p, PointBatch& n) {
+  using functions::Code, functions::Instruction;
+  static_assert(PointBatch::kMax == functions::ProgramKernels::kWide);
+  static constexpr Instruction kSine[] = {{Code::sin, 0, 0}};
+  static const functions::ProgramKernels& kernels = functions::packet_kernels();
+  for (const WaveSource& source : *c.pattern->as<WaveData>().sources) {
+    const Wave wave(*c.pattern, c.amount, source);
+    alignas(64) double distances[PointBatch::kMax], sines[PointBatch::kMax];
+    normals_of().wave_angles(source, wave, count, p, distances, sines);
+    kernels.wide(std::span(kSine), {}, sines, ~0ull >> (PointBatch::kMax - count));
+    normals_of().add_wave(source, wave, count, p, distances, sines, n);
+  }
 }
 
 void displace(const CompiledNormal& c, int count, const PointBatch& p, PointBatch& n) {
+  using enum scene::PatternKind;
+  if (c.pattern->kind == ripples || c.pattern->kind == waves) return add_waves(c, count, p, n);
   PointBatch vectors;
-  if (c.pattern->kind == scene::PatternKind::wrinkles) {
+  if (c.pattern->kind == wrinkles) {
     patterns_of().wrinkles_batch(count, p, vectors);
   } else {
     patterns_of().vector_noise_batch(count, p, vectors);
-    if (c.pattern->kind == scene::PatternKind::dents) {
+    if (c.pattern->kind == dents) {
       alignas(64) double noise[PointBatch::kMax];
       patterns_of().noise_batch(c.pattern->noise_generator, count, p, noise);
       normals_of().scale_by_cubes(count, noise, vectors);

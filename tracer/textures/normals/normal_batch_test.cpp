@@ -16,7 +16,7 @@ std::vector<scene::NormalPtr> descriptions() {
   std::uniform_real_distribution<double> unit(0.2, 2);
   std::vector<scene::NormalPtr> all;
   for (const scene::PatternKind kind :
-       {bumps, dents, wrinkles, granite, bozo, crackle, leopard, ripples, quilted, slope}) {
+       {bumps, dents, wrinkles, granite, bozo, crackle, leopard, ripples, waves, quilted, slope}) {
     for (int variant = 0; variant < 8; ++variant) {
       scene::Normal d;
       d.pattern.kind = kind;

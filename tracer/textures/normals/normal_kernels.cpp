@@ -84,6 +84,27 @@ void raise(const double* heights, double strength, const Vec3& direction, int co
   }
 }
 
+void wave_angles(const WaveSource& source, const Wave& wave, int count, const PointBatch& p, double* distances,
+                 double* angles) {
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i) {
+    distances[i] = wave_distance(source, p.at(i));
+    angles[i] = sine_angle(wave.cycles(distances[i]));
+  }
+}
+
+void add_wave(const WaveSource& source, const Wave& wave, int count, const PointBatch& p, const double* distances,
+              const double* sines, PointBatch& n) {
+  const int end = rounded(count);
+  const Vec3 from = source.position;
+  for (int i = 0; i < end; ++i) {
+    const double slope = wave.slope(sines[i], distances[i]);
+    n.x[i] += slope * (p.x[i] - from.x);
+    n.y[i] += slope * (p.y[i] - from.y);
+    n.z[i] += slope * (p.z[i] - from.z);
+  }
+}
+
 void move(const PointBatch& p, double factor, const Vec3& direction, int count, PointBatch& moved) {
   const int end = rounded(count);
   const double dx = factor * direction.x, dy = factor * direction.y, dz = factor * direction.z;
@@ -94,7 +115,7 @@ void move(const PointBatch& p, double factor, const Vec3& direction, int count, 
   }
 }
 
-const NormalKernels kKernels = {into_frame, out_of_frame, displace, scale_by_cubes, raise, move};
+const NormalKernels kKernels = {into_frame, out_of_frame, displace, scale_by_cubes, raise, wave_angles, add_wave, move};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

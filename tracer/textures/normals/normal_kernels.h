@@ -4,7 +4,7 @@
 #pragma once
 
 #include "tracer/simd/instruction_sets.h"
-#include "tracer/textures/patterns/pattern.h"
+#include "tracer/textures/patterns/formulas.h"
 #include "tracer/textures/point_batch.h"
 
 namespace verisim::textures {
@@ -19,6 +19,12 @@ struct NormalKernels {
   void (*scale_by_cubes)(int count, const double* factors, PointBatch& vectors);
   // Adds height * strength * direction.
   void (*raise)(const double* heights, double strength, const Vec3& direction, int count, PointBatch& normals);
+  // How far the points are from a source of waves, as wave_distance() says, and the angles of its waves there.
+  void (*wave_angles)(const WaveSource& source, const Wave& wave, int count, const PointBatch& points,
+                      double* distances, double* angles);
+  // Adds the slopes of its waves, whose sines are known there.
+  void (*add_wave)(const WaveSource& source, const Wave& wave, int count, const PointBatch& points,
+                   const double* distances, const double* sines, PointBatch& normals);
   // Adds factor * direction to points.
   void (*move)(const PointBatch& points, double factor, const Vec3& direction, int count, PointBatch& moved);
 };

@@ -74,7 +74,24 @@ Vec3 nearest_facet_point(const Vec3& p, double metric);
 
 // water.cpp: ripples and waves
 std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count);
-Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n);
+// A distance of zero counts as 1, so that directions stay finite.
+inline double wave_distance(const WaveSource& source, const Vec3& p) {
+  const double d = length(p - source.position);
+  return d == 0 ? 1 : d;
+}
+// One source's part of a normal of ripples or waves.
+struct Wave {
+  Wave(const CompiledPattern& c, double bump, const WaveSource& source)
+      : amount(bump),
+        frequency(c.frequency),
+        own_frequency(c.kind == scene::PatternKind::waves ? source.frequency : 1),
+        phase(c.phase),
+        count(static_cast<double>(c.as<WaveData>().sources->size())) {}
+  double cycles(double distance) const { return distance * frequency * own_frequency + phase; }
+  double slope(double sine, double distance) const { return amount * sine / own_frequency / (distance * count); }
+
+  double amount, frequency, own_frequency, phase, count;
+};
 Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n);
 
 // fractal.cpp

@@ -15,20 +15,10 @@ std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count) {
   return sources;
 }
 
-namespace {
-
-// A distance of zero counts as 1, so that directions stay finite.
-double distance_from(const WaveSource& source, const Vec3& p) {
-  const double d = length(p - source.position);
-  return d == 0 ? 1 : d;
-}
-
-}  // namespace
-
 double formulas::ripples(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
   const auto& sources = *c.as<WaveData>().sources;
   double sum = 0;
-  for (const WaveSource& w : sources) sum += sine_cycle(distance_from(w, p) * c.frequency + c.phase);
+  for (const WaveSource& w : sources) sum += sine_cycle(wave_distance(w, p) * c.frequency + c.phase);
   return 0.5 * (1 + sum / static_cast<double>(sources.size()));
 }
 
@@ -36,26 +26,15 @@ double formulas::waves(const CompiledPattern& c, const Vec3& p, const SurfacePoi
   const auto& sources = *c.as<WaveData>().sources;
   double sum = 0;
   for (const WaveSource& w : sources)
-    sum += sine_cycle(distance_from(w, p) * c.frequency * w.frequency + c.phase) / w.frequency;
+    sum += sine_cycle(wave_distance(w, p) * c.frequency * w.frequency + c.phase) / w.frequency;
   return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
 }
 
-Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n) {
-  const auto& sources = *c.as<WaveData>().sources;
-  const auto count = static_cast<double>(sources.size());
-  for (const WaveSource& w : sources) {
-    const double d = distance_from(w, p);
-    n += (amount * sine_cycle(d * c.frequency + c.phase) / (d * count)) * (p - w.position);
-  }
-  return n;
-}
-
 Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n) {
-  const auto& sources = *c.as<WaveData>().sources;
-  const auto count = static_cast<double>(sources.size());
-  for (const WaveSource& w : sources) {
-    const double d = distance_from(w, p), k = w.frequency;
-    n += (amount * sine_cycle(d * c.frequency * k + c.phase) / k / (d * count)) * (p - w.position);
+  for (const WaveSource& w : *c.as<WaveData>().sources) {
+    const Wave wave(c, amount, w);
+    const double d = wave_distance(w, p);
+    n += wave.slope(sine_cycle(wave.cycles(d)), d) * (p - w.position);
   }
   return n;
 }

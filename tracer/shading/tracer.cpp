@@ -41,7 +41,10 @@ Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::at
 RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   if (origin_varies || !camera_interiors_known_) {
     interiors_.clear();
-    scene_.world.interiors_at(ray.origin, interiors_);
+    if (camera_holders_)
+      scene_.world.interiors_at(ray.origin, *camera_holders_, interiors_);
+    else
+      scene_.world.interiors_at(ray.origin, interiors_);
     camera_interiors_ = interiors_.size();
     camera_interiors_known_ = true;
   }

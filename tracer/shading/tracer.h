@@ -110,6 +110,11 @@ class Tracer {
 
   // The state of such a ray, before it is traced.
   RayState camera_state(const Ray& ray, bool origin_varies);
+  // All camera rays start in this box. False: within the same interiors.
+  bool expect_origins(const Box3& box) {
+    camera_holders_ = scene_.world.holders(box);
+    return !camera_holders_->empty();
+  }
   // Of the rays through a lens for one place: once one of them starts in something that is not hollow, so do all that
   // follow (spec 02 2.1).
   bool& lens_is_hollow() { return lens_is_hollow_; }
@@ -316,6 +321,7 @@ class Tracer {
   bool has_volumes_;  // in the air
   bool lights_in_batches_, area_lights_ = false;
   std::vector<const scene::Interior*> interiors_;
+  std::optional<std::vector<std::uint32_t>> camera_holders_;  // where expect_origins() was told
   std::size_t camera_interiors_ = 0;
   bool camera_interiors_known_ = false, lens_is_hollow_ = true;
   std::vector<ShadedLayer> layers_;

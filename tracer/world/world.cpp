@@ -427,16 +427,27 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   });
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
-  for (const std::uint32_t index : around) {
-    const Entry& e = w.entries[index];
+  interiors_at(p, around, interiors);
+}
+
+void World::interiors_at(const Vec3& p, std::span<const std::uint32_t> holders,
+                         std::vector<const scene::Interior*>& interiors) const {
+  interiors.clear();
+  for (const std::uint32_t index : holders) {
+    const Entry& e = impl_->entries[index];
     if (e.object->interior && contains(e.box(), p) && e.shape->inside_unclipped(p))
       interiors.push_back(e.object->interior.get());
   }
 }
 
-bool World::nothing_around(const Box3& box) const {
-  const auto may_hold = [&](const Entry& e) { return e.object->interior && e.box().intersects(box); };
-  return !impl_->interiors || std::ranges::none_of(impl_->entries, may_hold);
+std::vector<std::uint32_t> World::holders(const Box3& box) const {
+  std::vector<std::uint32_t> result;
+  if (!impl_->interiors) return result;
+  for (std::uint32_t i = 0; i < impl_->entries.size(); ++i) {
+    const Entry& e = impl_->entries[i];
+    if (e.object->interior && e.box().intersects(box)) result.push_back(i);
+  }
+  return result;
 }
 
 // A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).

@@ -118,8 +118,11 @@ class World {
 
   // Interiors of all objects that contain p, in order of declaration, for the start of a camera ray (spec 06 2.1).
   void interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const;
-  // There is no interior at any point of the box.
-  bool nothing_around(const Box3& box) const;
+  // The objects, by number, that alone may have interiors around points of the box; and the interiors of those that
+  // contain a point of it.
+  std::vector<std::uint32_t> holders(const Box3& box) const;
+  void interiors_at(const Vec3& p, std::span<const std::uint32_t> holders,
+                    std::vector<const scene::Interior*>& interiors) const;
   // Textures and weights of a hit whose primitive has several (blob components, mesh vertices, cutaway_textures);
   // empty: surface->texture alone. `out` is cleared first.
   void weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const;

@@ -367,11 +367,24 @@ TEST(World, InteriorsAroundAPointInOrderOfDeclaration) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(interiors[i], objects[8 + i]->interior.get());
 }
 
-TEST(World, NothingIsAroundBoxesThatNoObjectReaches) {
-  const Stage stage({sphere({0, 0, 0}, 1), sphere({3, 0, 0}, 0.5), sphere({0, 3, 0}, 0.5), sphere({0, 0, 3}, 0.5)});
-  EXPECT_FALSE(stage.world->nothing_around({Vec3(0.2), Vec3(0.3)}));
-  EXPECT_FALSE(stage.world->nothing_around({{2, -1, -1}, {4, 1, 1}}));
-  EXPECT_TRUE(stage.world->nothing_around({{1.1, -1, -1}, {2.4, 1, 1}}));
+TEST(World, InteriorsInABoxAreThoseOfItsHolders) {
+  std::vector<ObjectRef> objects{sphere({0, 0, 0}, 1), make(scene::Plane{{0, 1, 0}, -2}), sphere({3, 0, 0}, 0.5)};
+  for (int i = 0; i < 4; ++i) objects.push_back(sphere({0.2 * i, 0, 0}, 0.3));
+  const Stage stage(objects);
+  const Box3 box({-0.5, -0.3, -0.3}, {1.1, 0.3, 0.3});
+  const std::vector<std::uint32_t> holders = stage.world->holders(box);
+  EXPECT_LT(holders.size(), objects.size());
+  std::vector<const scene::Interior*> of_all, of_holders;
+  std::size_t most = 0;
+  for (int i = 0; i <= 20; ++i) {
+    const Vec3 p = box.min + i / 20.0 * (box.max - box.min);
+    stage.world->interiors_at(p, of_all);
+    stage.world->interiors_at(p, holders, of_holders);
+    EXPECT_EQ(of_all, of_holders) << i;
+    most = std::max(most, of_all.size());
+  }
+  EXPECT_GE(most, 3u);
+  EXPECT_TRUE(stage.world->holders({{1.2, -1, -1}, {2.4, 1, 1}}).empty());
 }
 
 // Below the disc all is inside, as far as the object's box reaches.

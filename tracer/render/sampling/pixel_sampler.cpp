@@ -30,8 +30,7 @@ CameraModel::CameraModel(const scene::Camera& description, int width, int height
 PixelSampler::PixelSampler(const CameraModel& camera, shading::Tracer& tracer)
     : camera_(camera),
       tracer_(tracer),
-      starts_differ_(camera.origin_varies &&
-                     !(camera.blur && tracer.scene().world.nothing_around(camera.blur->lens()))),
+      starts_differ_(camera.blur ? tracer.expect_origins(camera.blur->lens()) : camera.origin_varies),
       wavefront_(tracer) {}
 
 // From the rays of three pixels in the middle.

@@ -18,27 +18,35 @@ namespace {
 
 using textures::PointBatch;
 
-// The turbulence in the middles of the segments.
-void turbulence_along(const scene::Turbulence& t, int generator, std::span<const FogSegment> segments, double* values) {
+// How much shorter turbulence makes each segment, as a share; it is asked for in their middles.
+void shares_of_turbulence(const scene::Fog& fog, int generator, std::span<const FogSegment> segments, double* shares) {
+  const scene::Turbulence& t = *fog.turbulence;
   PointBatch points;
+  std::size_t place[PointBatch::kMax];
+  int count = 0;
   for (std::size_t k = 0; k < segments.size(); ++k) {
-    const Vec3 middle = segments[k].ray.origin + segments[k].ray.direction * (segments[k].length / 2);
-    points.set(static_cast<int>(k), {middle.x * t.amount.x, middle.y * t.amount.y, middle.z * t.amount.z});
+    const auto& [ray, length, effect] = segments[k];
+    shares[k] = std::exp(-length / fog.distance);
+    if (shares[k] == 0) continue;  // as of rays that hit nothing
+    const Vec3 middle = ray.origin + ray.direction * (length / 2);
+    points.set(count, {middle.x * t.amount.x, middle.y * t.amount.y, middle.z * t.amount.z});
+    place[count++] = k;
   }
-  const auto count = static_cast<int>(segments.size());
+  if (count == 0) return;
   points.fill_up(count);
+  alignas(64) double values[PointBatch::kMax];
   textures::turbulence(generator, count, points, textures::Octaves(t.octaves, t.lambda, t.omega), values);
+  for (int i = 0; i < count; ++i) shares[place[i]] *= std::min(1.0, values[i] * fog.turbulence_depth);
 }
 
-void pass_fog(const scene::Fog& fog, const double* turbulence, FogSegment& segment) {
+void pass_fog(const scene::Fog& fog, double share, FogSegment& segment) {
   const auto& [ray, length, effect] = segment;
-  double density = 1, width = length;
+  double density = 1;
   if (fog.type == 2) {
     const double start = dot(ray.origin, fog.up);
     density = ground_fog_density(start, start + length * dot(ray.direction, fog.up), fog.offset, fog.altitude);
   }
-  if (turbulence)
-    width = length * (1 - std::exp(-length / fog.distance) * std::min(1.0, *turbulence * fog.turbulence_depth));
+  const double width = length * (1 - share);
   const auto clear = std::max(static_cast<float>(std::exp(-width * density / fog.distance)), fog.color.t);
   const Rgb tint = fog.color.rgb() * fog.color.f + Rgb(1 - fog.color.f);
   segment.effect.passed *= tint * clear;
@@ -51,10 +59,9 @@ void fog_along(std::span<const scene::Fog> fogs, int noise_generator, std::span<
   for (FogSegment& segment : segments) segment.effect = {};
   for (const scene::Fog& fog : fogs) {
     if (std::fabs(fog.distance) < kEpsilon || segments.empty()) continue;
-    alignas(64) double turbulence[PointBatch::kMax];
-    if (fog.turbulence) turbulence_along(*fog.turbulence, noise_generator, segments, turbulence);
-    for (std::size_t k = 0; k < segments.size(); ++k)
-      pass_fog(fog, fog.turbulence ? turbulence + k : nullptr, segments[k]);
+    double shares[PointBatch::kMax] = {};
+    if (fog.turbulence) shares_of_turbulence(fog, noise_generator, segments, shares);
+    for (std::size_t k = 0; k < segments.size(); ++k) pass_fog(fog, shares[k], segments[k]);
   }
 }
 

@@ -27,8 +27,6 @@ struct LetterBox {
   Vec2 place;
 };
 std::vector<LetterBox> letter_boxes(const scene::Text& text);
-// The letters as texts of their own, in the same space.
-std::vector<scene::Text> letters_of(const scene::Text& text);
 Box3 mesh_box(const scene::Mesh& mesh);
 
 // Shapes that are modelled in a standard position: the matrix that puts them where the scene wants them, before any

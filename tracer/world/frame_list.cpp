@@ -34,22 +34,27 @@ void collect_lights(const Object& object, bool in_group, std::vector<const scene
   }
 }
 
-// A text is the union of its letters (spec 04 section 9): empty if it is not dissolved, or a single letter.
-std::vector<scene::Text> letters_of(const Object& object, bool split_unions) {
+// A text is the union of its letters (spec 04 section 9), unless it is not dissolved, or a single one.
+bool is_dissolved_text(const Object& object, bool split_unions) {
   const auto* text = object.as<std::shared_ptr<const scene::Text>>();
-  if (!text || (*text)->text.size() < 2 || object.inverted || !is_split(object)) return {};
-  if (!object.bounded_by.empty() && !split_unions) return {};
-  return shapes::letters_of(**text);
+  if (!text || (*text)->text.size() < 2 || object.inverted || !is_split(object)) return false;
+  return object.bounded_by.empty() || split_unions;
 }
 
-ObjectPtr letter_object(const Object& text, const scene::Text& letter) {
-  auto object = std::make_shared<Object>(text);
-  object->bounded_by.clear();
-  const Box3 box = shapes::letter_boxes(letter).front().box;
-  const Transform placed = Transform::translation({letter.place->x, letter.place->y, 0}).then(*text.transform);
-  object->bounds = scene::transformed(scene::make_bounds(box.min, box.max), placed);
-  object->shape = std::make_shared<const scene::Text>(letter);
-  return object;
+std::vector<ObjectPtr> letters_of(const Object& object) {
+  const scene::Text& text = **object.as<std::shared_ptr<const scene::Text>>();
+  std::vector<ObjectPtr> letters;
+  for (const auto& [box, place] : shapes::letter_boxes(text)) {
+    scene::Text letter = text;
+    letter.text = text.text.substr(letters.size(), 1), letter.place = place;
+    auto copy = std::make_shared<Object>(object);
+    copy->bounded_by.clear();
+    const Transform placed = Transform::translation({place.x, place.y, 0}).then(*object.transform);
+    copy->bounds = scene::transformed(scene::make_bounds(box.min, box.max), placed);
+    copy->shape = std::make_shared<const scene::Text>(std::move(letter));
+    letters.push_back(std::move(copy));
+  }
+  return letters;
 }
 
 void collect_objects(const Object& object, bool split_unions, bool copied, FrameList& list) {
@@ -58,9 +63,9 @@ void collect_objects(const Object& object, bool split_unions, bool copied, Frame
     for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, copied, list);
     return;
   }
-  if (const std::vector<scene::Text> letters = letters_of(object, split_unions); !letters.empty()) {
-    for (const scene::Text& letter : letters) {
-      list.letters.push_back(letter_object(object, letter));
+  if (is_dissolved_text(object, split_unions)) {
+    for (ObjectPtr& letter : letters_of(object)) {
+      list.letters.push_back(std::move(letter));
       collect_objects(*list.letters.back(), split_unions, copied, list);
     }
     return;

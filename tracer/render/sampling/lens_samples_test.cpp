@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tracer/bvh/bvh.h"
 #include "tracer/render/cameras/camera_rays.h"
 #include "tracer/render/sampling/focal_blur.h"
 #include "tracer/render/sampling/jitter.h"

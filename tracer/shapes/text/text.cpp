@@ -65,9 +65,9 @@ Box3 box_of(const Glyph& g, const Vec2& origin, double thickness) {
 Box3 box_of(const PlacedGlyph& g, double thickness) { return box_of(*g.glyph, g.origin, thickness); }
 
 // In the space of the outlines.
-Box3 glyphs_box(const scene::Text& text) {
+Box3 glyphs_box(const std::vector<PlacedGlyph>& glyphs, double thickness) {
   Box3 box;
-  for (const PlacedGlyph& g : layout(text)) box.extendBy(box_of(g, text.thickness));
+  for (const PlacedGlyph& g : glyphs) box.extendBy(box_of(g, thickness));
   return box.isEmpty() ? everywhere() : box;
 }
 
@@ -98,8 +98,11 @@ int unit_roots(double a, double b, double c, double (&roots)[2]) {
 
 class Text final : public TreePrimitive<Text> {
  public:
-  Text(const scene::Object& description, const scene::Text& text)
-      : TreePrimitive(description, {glyphs_box(text), true}), thickness_(text.thickness), glyphs_(layout(text)) {
+  Text(const scene::Object& description, const scene::Text& text) : Text(description, text.thickness, layout(text)) {}
+  Text(const scene::Object& description, double thickness, std::vector<PlacedGlyph> glyphs)
+      : TreePrimitive(description, {glyphs_box(glyphs, thickness), true}),
+        thickness_(thickness),
+        glyphs_(std::move(glyphs)) {
     tree_ = accel::Bvh(
         glyphs_.size(),
         [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
@@ -271,17 +274,6 @@ std::vector<LetterBox> letter_boxes(const scene::Text& text) {
   std::vector<LetterBox> boxes;
   for (const PlacedGlyph& g : layout(text)) boxes.push_back({box_of(*g.glyph, Vec2(0), text.thickness), g.origin});
   return boxes;
-}
-
-std::vector<scene::Text> letters_of(const scene::Text& text) {
-  std::vector<scene::Text> letters;
-  std::size_t next = 0;
-  for (const PlacedGlyph& g : layout(text)) {
-    letters.push_back(text);
-    letters.back().text = text.text.substr(next++, 1);
-    letters.back().place = g.origin;
-  }
-  return letters;
 }
 
 }  // namespace verisim::shapes

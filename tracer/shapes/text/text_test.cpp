@@ -99,6 +99,23 @@ TEST_F(Text, LargeTextLosesItsCurvedSides) {
   }
 }
 
+// 1000 units make an em, so that second differences of equal steps are not 0: roots are off by POV-Ray's errors, and
+// ends are where the height is theirs. Measured with trace().
+TEST_F(Text, NearlyStraightCurvesAreOffAsInPovRay) {
+  scene::Text t = text(u"0123456789", 0.1);
+  t.font = "/usr/share/povray-3.7/include/cyrvetic.ttf";
+  const auto front = [&](double x, double y) {
+    const auto hit = trace(object(t), {x, y, -1}, {0, 0, 1});
+    return hit && hit->point.z < 0.05;
+  };
+  EXPECT_TRUE(front(3.44857315613156512, 0.25276839206990986));
+  EXPECT_TRUE(front(3.4447, 0.224));
+  EXPECT_TRUE(front(3.451, 0.264));
+  EXPECT_FALSE(front(3.449, 0.256));
+  EXPECT_FALSE(front(3.336, 0.2175));
+  EXPECT_TRUE(front(3.38, 0.2175));
+}
+
 TEST_F(Text, NegativeDepthHasNoSurface) { EXPECT_FALSE(trace(object(text(u"A", -0.3)), {.35, .3, -5}, {0, 0, 1})); }
 
 TEST_F(Text, IntersectionsSeparateInsideFromOutside) {

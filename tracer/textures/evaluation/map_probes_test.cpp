@@ -55,6 +55,46 @@ void expect_color(const Color& c, const Color& expected, const char* what) {
   EXPECT_NEAR(c.t, expected.t, 1e-8) << what;
 }
 
+// All bits, by a pigment function: of 20,000 values of this map each was the same, of maps in single precision throughout
+// a fifth was not.
+TEST(ColorMap, BlendedColorsHaveAllBits) {
+  const auto entries = [](const auto& value) {
+    return std::pair(value(Color(.31f, .42f, .53f, .11f, .22f)), value(Color(.91f, .22f, .17f, .37f, .13f)));
+  };
+  auto by_color = gradient_along({1, 0, 0}), by_pigment = gradient_along({1, 0, 0});
+  const auto colors = entries([](const Color& c) { return c; });
+  by_color->color_map = std::make_shared<ColorMap>(ColorMap{{.1234f, colors.first}, {.9871f, colors.second}});
+  const auto pigments = entries([](const Color& c) {
+    auto average = std::make_shared<Pigment>();  // not plain, so that the map is not made one of colours
+    average->pattern.kind = PatternKind::average;
+    average->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{1, colored(c)}});
+    return PigmentPtr(average);
+  });
+  by_pigment->pigment_map =
+      std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{.1234f, pigments.first}, {.9871f, pigments.second}});
+  const struct {
+    double x;
+    Color seen;
+  } probes[] = {
+      {0.70075055661330709622,
+       {0.71107715368270874023f, 0.2863076329231262207f, 0.28935372829437255859f, 0.28380006551742553711f,
+        0.15983842313289642334f}},
+      {0.96256824304814636584,
+       {0.89295816421508789062f, 0.22568061947822570801f, 0.18022513389587402344f, 0.36261516809463500977f,
+        0.13255627453327178955f}},
+      {0.94589826812844213233,
+       {0.88137775659561157227f, 0.22954075038433074951f, 0.18717336654663085938f, 0.35759699344635009766f,
+        0.13429334759712219238f}},
+      {0.72582651728224623078,
+       {0.72849702835083007812f, 0.28050097823143005371f, 0.27890178561210632324f, 0.29134869575500488281f,
+        0.15722543001174926758f}},
+  };
+  for (const auto& probe : probes) {
+    EXPECT_EQ(color_at(by_color, {probe.x, 0, 0}), probe.seen) << probe.x;
+    EXPECT_EQ(color_at(by_pigment, {probe.x, 0, 0}), probe.seen) << probe.x;
+  }
+}
+
 TEST(ColorMap, InterpolatesInSinglePrecisionAsPovRay) {  // P9
   auto p = gradient_along({1, 0, 0});
   p->color_map = std::make_shared<ColorMap>(ColorMap{

@@ -31,8 +31,9 @@ std::span<const WeightedTexture> select(const CompiledTexture& texture, const Ve
       storage[0] = {map[place.upper].value, 1};
       return storage.first(1);
     }
-    storage[0] = {map[place.upper].value, place.t};
-    storage[1] = {map[place.lower].value, 1 - place.t};
+    const auto t = static_cast<float>(place.t);
+    storage[0] = {map[place.upper].value, t};
+    storage[1] = {map[place.lower].value, 1 - t};
     return storage.first(2);
   }
   warped_point = warped(*texture.pattern, p);

@@ -5,14 +5,24 @@
 #include <cstddef>
 #include <vector>
 
+#include "tracer/math/color.h"
+
 namespace verisim::textures {
 
 // Entry `upper` alone (t = 1, lower = upper), or a blend: lower + t * (upper - lower).
 struct MapPlace {
   int lower, upper;
-  float t;
+  double t;
   bool single() const { return lower == upper; }
 };
+
+// The way from one colour to another: products are of double precision, rounded before the sum (spec 05 4.1).
+inline float blended(float lower, float rise, double t) { return lower + static_cast<float>(rise * t); }
+inline Color blended(const Color& lower, const Color& upper, double t) {
+  const Color rise = upper - lower;
+  return {blended(lower.r, rise.r, t), blended(lower.g, rise.g, t), blended(lower.b, rise.b, t),
+          blended(lower.f, rise.f, t), blended(lower.t, rise.t, t)};
+}
 
 // The positions of a map in the order written; they are never sorted. The first entry with v <= position is found by
 // counting (long maps: searching) the smaller ones among the running maxima of the positions, which has the same answer
@@ -50,13 +60,8 @@ class MapPositions {
     }
     const Entry& e = entries[j];
     if (j == 0 || v == e.position) return {j, j, 1};
-    // Width and fraction are rounded to single precision, the difference from the position is not (probe P9).
-    return {j - 1, j, static_cast<float>((v - e.low) / e.width)};
-  }
-  // How far v is from one entry to the next: t before it is rounded. Normals and slopes are blended by it.
-  double fraction(const MapPlace& place, double v) const {
-    const Entry& e = entries_[static_cast<std::size_t>(place.upper)];
-    return (v - e.low) / e.width;
+    // The width is rounded to single precision, the rest is not (probe P9).
+    return {j - 1, j, (v - e.low) / e.width};
   }
 
  private:

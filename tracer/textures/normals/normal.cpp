@@ -104,8 +104,7 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
       return;
     }
     case map: {
-      const double value = value_at(*c.pattern, q, &surface);
-      const MapPlace place = c.positions.find(value);
+      const MapPlace place = c.positions.find(value_at(*c.pattern, q, &surface));
       const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
       surface.normal = n;
       apply(*c.children[place.upper], q, surface);
@@ -113,8 +112,7 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
         const Vec3 upper = surface.normal;
         surface.normal = n;
         apply(*c.children[place.lower], q, surface);
-        const double t = c.positions.fraction(place, value);
-        surface.normal = (1 - t) * surface.normal + t * upper;
+        surface.normal = (1 - place.t) * surface.normal + place.t * upper;
       }
       // Normalised once more, as in POV-Ray: the last bit may change.
       surface.normal = normalize(normal_out_of_frame(*c.pattern, c.no_bump_scale, surface.normal));
@@ -145,8 +143,7 @@ double height_of(const CompiledNormal& c, double v) {
   const MapPlace place = c.positions.find(v);
   if (place.single()) return c.slopes[place.upper].height;
   const scene::SlopeEntry &a = c.slopes[place.lower], &b = c.slopes[place.upper];
-  const double t = c.positions.fraction(place, v);
-  const double rise = a.height - b.height;
+  const double t = place.t, rise = a.height - b.height;
   return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) +
          (t * a.slope + a.height);
 }

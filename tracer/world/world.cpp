@@ -321,6 +321,15 @@ const Hierarchy& World::Impl::hierarchy() const {
   return made_hierarchy;
 }
 
+const std::vector<std::uint32_t>& World::Impl::ranks() const {
+  std::call_once(ranks_made, [this] {
+    made_ranks.resize(entries.size());
+    const std::vector<std::uint32_t> in_turn = hierarchy().in_turn();
+    for (std::uint32_t i = 0; i < in_turn.size(); ++i) made_ranks[in_turn[i]] = i;
+  });
+  return made_ranks;
+}
+
 bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
   // Where a ray runs through the inside of the box for a while, rounding cannot refuse it. Along a face it can: boxes
   // around this one may end a little before it.
@@ -427,11 +436,15 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   });
   std::sort(around.begin(), around.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
-  for (const std::uint32_t index : around) {
+  std::erase_if(around, [&](std::uint32_t index) {
     const Entry& e = w.entries[index];
-    if (e.object->interior && contains(e.box(), p) && e.shape->inside_unclipped(p))
-      interiors.push_back(e.object->interior.get());
+    return !e.object->interior || !contains(e.box(), p) || !e.shape->inside_unclipped(p);
+  });
+  if (!w.in_order && around.size() > 1) {
+    const std::vector<std::uint32_t>& ranks = w.ranks();
+    std::ranges::sort(around, {}, [&](std::uint32_t index) { return ranks[index]; });
   }
+  for (const std::uint32_t index : around) interiors.push_back(w.entries[index].object->interior.get());
 }
 
 // A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).

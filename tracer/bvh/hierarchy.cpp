@@ -219,4 +219,16 @@ Hierarchy::Hierarchy(std::vector<Item> items) {
   nodes_[root_].infinite = !infinite.empty();
 }
 
+std::vector<std::uint32_t> Hierarchy::in_turn() const {
+  std::vector<std::uint32_t> entries, waiting;
+  if (!nodes_.empty()) waiting.push_back(root_);
+  while (!waiting.empty()) {
+    const Node& node = nodes_[waiting.back()];
+    waiting.pop_back();
+    if (node.count == 0) entries.push_back(node.first);
+    for (std::uint32_t i = node.count; i-- > 0;) waiting.push_back(children_[node.first + i]);
+  }
+  return entries;
+}
+
 }  // namespace verisim::accel

@@ -54,6 +54,9 @@ class Hierarchy {
     }
   }
 
+  // All entries in the order in which POV-Ray comes to those around a point: into each box as it is met.
+  std::vector<std::uint32_t> in_turn() const;
+
   // Whether a search that finds nothing else comes to `entry`: rounding refuses rays that graze an edge of its box.
   bool reaches(const Ray& ray, std::uint32_t entry) const {
     constexpr double kFar = std::numeric_limits<double>::infinity();

@@ -1,12 +1,12 @@
-// Shapes of which POV-Ray keeps one hit only, outside CSG: where that is nearer than a shadow ray begins, all that lies
-// behind it is lost, and light comes through (spec 03 4.15).
+// Shapes of segments, through which POV-Ray goes from near to far, outside CSG until one has a hit: where that is
+// nearer than a shadow ray begins, what other segments have behind it is lost, and light comes through (spec 03 4.15).
 #pragma once
 
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
 
-// How near the hit that is kept may be.
+// How near the hit that ends it may be.
 constexpr double kFirstHit = 1e-4;
 
 template <class Sink>
@@ -15,13 +15,16 @@ bool keeps_first_hit(const Sink& sink) {
   return false;
 }
 
-// Reports the first one of the hits that `intersections` reports to the sink it is given.
-template <class Sink, class Intersections>
-void add_first_hit(const Shape& shape, const Guards* guards, Sink& sink, Intersections&& intersections) {
+// search(sink, from, to) reports the hits of all segments that the ray comes to between these distances.
+template <class Sink, class Search>
+void add_first_hit(const Shape& shape, const Guards* guards, Sink& sink, Search&& search) {
   Hit first;
   NearestHit nearest(shape, guards, kFirstHit, sink.upper(), first);
-  intersections(nearest);
-  if (nearest.found())
+  search(nearest, kFirstHit, sink.upper());
+  if (!nearest.found()) return;
+  if (first.t < sink.lower())
+    search(sink, kFirstHit, first.t);
+  else
     sink.add(
         first.t, [&] { return first.point; }, first.part, first.u, first.v);
 }

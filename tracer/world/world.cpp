@@ -321,6 +321,15 @@ const Hierarchy& World::Impl::hierarchy() const {
   return made_hierarchy;
 }
 
+const std::vector<std::uint32_t>& World::Impl::ranks() const {
+  std::call_once(ranks_made, [this] {
+    made_ranks.resize(entries.size());
+    const std::vector<std::uint32_t> in_turn = hierarchy().in_turn();
+    for (std::uint32_t i = 0; i < in_turn.size(); ++i) made_ranks[in_turn[i]] = i;
+  });
+  return made_ranks;
+}
+
 bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
   // Where a ray runs through the inside of the box for a while, rounding cannot refuse it. Along a face it can: boxes
   // around this one may end a little before it.
@@ -432,12 +441,19 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
 
 void World::interiors_at(const Vec3& p, std::span<const std::uint32_t> holders,
                          std::vector<const scene::Interior*>& interiors) const {
-  interiors.clear();
+  const Impl& w = *impl_;
+  thread_local std::vector<std::uint32_t> inside;
+  inside.clear();
   for (const std::uint32_t index : holders) {
-    const Entry& e = impl_->entries[index];
-    if (e.object->interior && contains(e.box(), p) && e.shape->inside_unclipped(p))
-      interiors.push_back(e.object->interior.get());
+    const Entry& e = w.entries[index];
+    if (e.object->interior && contains(e.box(), p) && e.shape->inside_unclipped(p)) inside.push_back(index);
   }
+  if (!w.in_order && inside.size() > 1) {
+    const std::vector<std::uint32_t>& ranks = w.ranks();
+    std::ranges::sort(inside, {}, [&](std::uint32_t index) { return ranks[index]; });
+  }
+  interiors.clear();
+  for (const std::uint32_t index : inside) interiors.push_back(w.entries[index].object->interior.get());
 }
 
 std::vector<std::uint32_t> World::holders(const Box3& box) const {

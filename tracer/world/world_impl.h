@@ -173,6 +173,8 @@ struct World::Impl {
   bool in_order = false;  // too few entries for a hierarchy
   mutable std::once_flag hierarchy_made;
   mutable Hierarchy made_hierarchy;
+  mutable std::once_flag ranks_made;
+  mutable std::vector<std::uint32_t> made_ranks;
   bool transparent_shadows = false;  // something that shadow rays see is not opaque
   bool filters_twice = false;        // some surface does
 
@@ -195,6 +197,8 @@ struct World::Impl {
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
   bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
   const Hierarchy& hierarchy() const;  // made at the first ray that needs it: most scenes do not
+  // Of each entry, its place among those that POV-Ray finds around a point (spec 06 2.1).
+  const std::vector<std::uint32_t>& ranks() const;
   // POV-Ray finds this hit of an entry, too.
   bool admits(std::uint32_t index, const Ray& ray, const Hit& hit) const {
     const Entry& e = entries[index];

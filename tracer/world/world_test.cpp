@@ -387,6 +387,20 @@ TEST(World, InteriorsInABoxAreThoseOfItsHolders) {
   EXPECT_TRUE(stage.world->holders({{1.2, -1, -1}, {2.4, 1, 1}}).empty());
 }
 
+// The hierarchy has them sorted by their middles; two objects alone are asked as they were declared.
+TEST(World, InteriorsAroundAPointInOrderOfTheHierarchy) {
+  std::vector<ObjectRef> objects;
+  for (int i = 0; i < 20; ++i) objects.push_back(sphere({2 - i * 0.1, 0, 0}, 0.25));
+  std::vector<const scene::Interior*> interiors;
+  Stage(objects).world->interiors_at({1, 0, 0}, interiors);
+  ASSERT_EQ(interiors.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(interiors[i], objects[12 - i]->interior.get());
+  objects = {objects[9], objects[11]};
+  Stage(objects).world->interiors_at({1, 0, 0}, interiors);
+  ASSERT_EQ(interiors.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(interiors[i], objects[i]->interior.get());
+}
+
 // Below the disc all is inside, as far as the object's box reaches.
 TEST(World, InsideReachesBeyondTheSurface) {
   const auto tilted =

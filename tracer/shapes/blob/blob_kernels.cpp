@@ -78,10 +78,7 @@ HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number>
     course.t1 = select(across, course.t1, min(course.t1, select(swapped, to_low, to_high)));
   }
   if (part.moved) course.t0 = course.t0 / scale, course.t1 = course.t1 / scale;
-  static const int kV = getenv("BV") ? atoi(getenv("BV")) : 0;
-  if (!((kV & 1) && part.kind == BlobPartKind::cylinder) &&
-      !((kV & 2) && (part.kind == BlobPartKind::base || part.kind == BlobPartKind::apex)))
-    course.t0 = max(Number(0.0), course.t0);
+  course.t0 = max(Number(0.0), course.t0);
   met = met & (course.t1 > 0.0);
   course.scale2 = scale * scale / part.radius2;
   return met & (course.t1 > course.t0) & (course.t1 < HUGE_VAL);

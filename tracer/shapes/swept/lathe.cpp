@@ -98,9 +98,9 @@ class Lathe final : public SearchPrimitive<Lathe> {
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
     if (keeps_first_hit(sink))
-      add_first_hit(*this, guards(), sink, [&](NearestHit& nearest) { search(ray, nearest); });
+      add_first_hit(*this, guards(), sink, [&](auto& hit, double from, double to) { search(ray, hit, from, to); });
     else
-      search(ray, sink);
+      search(ray, sink, sink.lower(), sink.upper());
   }
 
   template <class HitOf>
@@ -110,10 +110,13 @@ class Lathe final : public SearchPrimitive<Lathe> {
     unsigned found = search_packet(
         rays, kFirstHit, t_max, [&](int k) -> Hit& { return first[k]; }, false);
     each_lane(found, [&](int k) {
-      if (first[k].t >= t_min)
+      if (first[k].t >= t_min) {
         hit_of(k) = first[k];
-      else
-        found &= ~(1u << k);
+        return;
+      }
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      search(rays.at(k), sink, kFirstHit, first[k].t);
+      if (!sink.found()) found &= ~(1u << k);
     });
     return found;
   }
@@ -164,10 +167,11 @@ class Lathe final : public SearchPrimitive<Lathe> {
 
   struct Solver;
 
+  // The hits of segments that the ray comes to between two distances.
   template <class Sink>
-  void search(const Ray& ray, Sink& sink) const {
+  void search(const Ray& ray, Sink& sink, double from, double to) const {
     const Solver solver(unit_local(ray), sturm_);
-    const std::optional<LathePassage> passage = this->passage(solver, sink.lower(), sink.upper());
+    const std::optional<LathePassage> passage = this->passage(solver, from, to);
     if (!passage) return;
     for (std::size_t block = 0; block < blocks_.size(); ++block)
       for (unsigned met = lathe_kernels().along(blocks_[block], *passage); met != 0; met &= met - 1) {

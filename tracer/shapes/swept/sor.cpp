@@ -43,7 +43,9 @@ Segment segment(double y0, double y1, double f0, double f1, double s0, double s1
 }
 
 // The annulus is that of the points and of the extremes between them: what the cubic itself is at its ends does not
-// count.
+// count. POV-Ray takes roots of the squares there. Of a negative one, which a point on the axis may have by rounding,
+// it is no number: the first extreme leaves no annulus then, so that no ray finds the segment, and the second none of
+// its own (spec 08 F).
 void find_annulus(Segment& s, double radius0, double radius1) {
   s.least2 = std::min(radius0, radius1), s.most2 = std::max(radius0, radius1);
   s.least2 *= s.least2, s.most2 *= s.most2;
@@ -51,8 +53,13 @@ void find_annulus(Segment& s, double radius0, double radius1) {
   double roots[2];
   const int n = solve_polynomial(2, slope, roots);
   for (int i = 0; i < n; ++i) {
-    if (!(roots[i] > s.low && roots[i] < s.high)) continue;
+    if (!(roots[i] > s.low && roots[i] <= s.high)) continue;
     const double radius2 = s.radius2(roots[i]);
+    if (radius2 < 0) {
+      if (i == 1) continue;
+      s.least2 = HUGE_VAL, s.most2 = -HUGE_VAL;
+      return;
+    }
     s.least2 = std::min(s.least2, radius2), s.most2 = std::max(s.most2, radius2);
   }
 }
@@ -97,9 +104,9 @@ class Sor final : public Primitive<Sor> {
     const LocalRay l = unit_local(ray);
     each_end(l, [&](double t, std::int32_t part) { add(ray, t / l.scale, part, sink); });
     if (keeps_first_hit(sink))  // of the curve; the ends count by themselves
-      add_first_hit(*this, guards(), sink, [&](NearestHit& nearest) { search(ray, l, nearest); });
+      add_first_hit(*this, guards(), sink, [&](auto& hit, double, double to) { search(ray, l, hit, to); });
     else
-      search(ray, l, sink);
+      search(ray, l, sink, kFarthest);
   }
 
   bool contains(const Vec3& point) const {
@@ -134,12 +141,12 @@ class Sor final : public Primitive<Sor> {
       sink.add(
           depth, [&] { return ray.at(depth); }, part);
   }
-  // The hits of the curve.
+  // The hits of the segments that the ray comes to as far as `to`.
   template <class Sink>
-  void search(const Ray& ray, const LocalRay& l, Sink& sink) const {
+  void search(const Ray& ray, const LocalRay& l, Sink& sink, double to) const {
     const Vec3 &p = l.origin, &d = l.direction;
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
-    double near = 0, far = kFarthest * l.scale;  // within the largest radius
+    double near = 0, far = std::min(kFarthest, to) * l.scale;  // within the largest radius
     if (r > 1e-20) {
       const double discriminant = m * m - r * (c - outer2_);
       if (!(discriminant >= 0)) return;

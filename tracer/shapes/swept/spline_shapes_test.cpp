@@ -81,6 +81,32 @@ TEST(Sor, Trace) {
                {0.1, 0.3, -0.869712596206355}, {0.073616459998199, -0.764629631181295, -0.640251625485551}, 1e-11);
 }
 
+// trace() of POV-Ray: the cubic that comes to the axis is -1e-12 at its extreme beside that point, and no ray finds it.
+// With other numbers the extreme lies beyond the segment.
+TEST(Sor, NoRayFindsASegmentWhoseExtremeIsBelowTheAxis) {
+  const Vec3 from{0, 5, -0.3}, down{0, -1, 0};
+  expect_trace(sor({{0, 0}, {1, 0}, {1, 1}, {0, 1.2}, {0, 2}, {0, 2}}), from, down, {0, 0, -0.3}, {0, -1, 0}, 1e-12);
+  const auto hit = query::Target(sor({{0, 0}, {1, 0}, {1, 1}, {0, 1.3}, {0, 2}, {0, 2}})).trace(from, down);
+  ASSERT_TRUE(hit);
+  EXPECT_GT(hit->point.y, 1);
+}
+
+// A ray that comes to the wall 0.0003 behind its origin, as shadow rays do: the far side counts if it is of the same
+// segment, and is lost with the near one if it is of the next.
+TEST(SplineShapes, TheSearchEndsWithTheSegmentOfAHitThatIsTooNear) {
+  scene::Lathe wall;
+  wall.points = {{1, -1}, {1, 0}, {1, 1}, {1, 2}};
+  const ObjectRef lathe = make_shared_shape(wall), vase = sor({{1, -2}, {1, -1}, {1, 0}, {1, 1}, {1, 2}, {1, 3}});
+  for (const ObjectRef& object : {lathe, vase}) {
+    const auto shape = shapes::compile(*object);
+    for (const auto& [rise, found] : {std::pair{0.1, true}, {0.4, false}}) {
+      const Ray ray{{-1.0003, 0.5, 0}, normalize(Vec3(1, rise, 0))};
+      Hit hit;
+      EXPECT_EQ(shape->intersect(ray, RayKind::shadow, 1e-3, 10, hit), found) << rise;
+    }
+  }
+}
+
 // Measured with trace() of POV-Ray, spec 08 F. The surface is hit at 4.1304 and 5.8700.
 TEST(Sor, NearlyHorizontalRayHitsWherePovRaysCubicDoes) {
   const Vec3 d{0.01, 0.0009, 1}, origin = Vec3(0.1, 0.3, 0) - 5.0 * d;

@@ -154,6 +154,20 @@ TEST(ImagePattern, EqualsPovRay) {
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(image_pattern(lookup, kPoints[k]), expected[k], 1e-6) << k;
 }
 
+TEST(ImagePattern, PixelsTellWhetherLightComesThrough) {
+  auto image = std::make_shared<Image>();
+  image->width = 2, image->height = 1;
+  image->channels = 1, image->has_alpha = true;
+  image->palette = {Color(1, 0, 0), Color(0, 1, 0), Color(0, 0, 1, 0, 1)};
+  ImageParams params;
+  for (const std::uint8_t second : {1, 2}) {
+    image->samples = image::Samples(image::SampleType::byte, 2);
+    image->samples.as<std::uint8_t>()[0] = 0, image->samples.as<std::uint8_t>()[1] = second;
+    params.image = image;
+    EXPECT_EQ(compile_image(params).transparent, second == 2);
+  }
+}
+
 TEST(ImagePattern, AlphaOfAPaletteWithoutAnyIsZero) {
   auto image = std::make_shared<Image>();
   image->width = image->height = 1;

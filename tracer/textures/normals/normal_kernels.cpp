@@ -84,7 +84,7 @@ void raise(const double* heights, double strength, const Vec3& direction, int co
   }
 }
 
-void wave_angles(const WaveSource& source, const Wave& wave, int count, const PointBatch& p, double* distances,
+void wave_angles(const WaveSource& source, const SourceWave& wave, int count, const PointBatch& p, double* distances,
                  double* angles) {
   const int end = rounded(count);
   for (int i = 0; i < end; ++i) {
@@ -93,7 +93,7 @@ void wave_angles(const WaveSource& source, const Wave& wave, int count, const Po
   }
 }
 
-void add_wave(const WaveSource& source, const Wave& wave, int count, const PointBatch& p, const double* distances,
+void add_wave(const WaveSource& source, const SourceWave& wave, int count, const PointBatch& p, const double* distances,
               const double* sines, PointBatch& n) {
   const int end = rounded(count);
   const Vec3 from = source.position;

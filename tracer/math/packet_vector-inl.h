@@ -27,13 +27,13 @@ HWY_INLINE P dot(const PacketVector<P>& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class P>
-HWY_INLINE PacketVector<P> transform_point(const Mat4& m, const PacketVector<P>& p) {
+HWY_INLINE PacketVector<P> transform_point(const Affine& m, const PacketVector<P>& p) {
   return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
           p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
           p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
 }
 template <class P>
-HWY_INLINE PacketVector<P> transform_direction(const Mat4& m, const PacketVector<P>& d) {
+HWY_INLINE PacketVector<P> transform_direction(const Affine& m, const PacketVector<P>& d) {
   return {d.x * m[0][0] + d.y * m[1][0] + d.z * m[2][0], d.x * m[0][1] + d.y * m[1][1] + d.z * m[2][1],
           d.x * m[0][2] + d.y * m[1][2] + d.z * m[2][2]};
 }

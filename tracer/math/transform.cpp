@@ -12,16 +12,34 @@ Mat4 transposed(const Mat4& a) { return a.transposed(); }
 
 }  // namespace
 
-// The sums of Imath's operator*, in their order, a row of the result at a time, which compilers turn into packets:
-// scenes of many copies spend a tenth of their time here.
-Mat4 Transform::product(const Mat4& a, const Mat4& b) {
-  Mat4 result(Imath::UNINITIALIZED);
+Affine::Affine(const Mat4& m) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 3; ++j) (*this)[i][j] = m[i][j];
+  at_[12] = m[3][3];
+}
+
+Mat4 Affine::whole() const {
+  Mat4 m;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 3; ++j) m[i][j] = (*this)[i][j];
+  m[3][3] = at_[12];
+  return m;
+}
+
+// The sums of the product of the whole matrices, in their order, a row of the result at a time, which compilers turn
+// into packets: scenes of many copies spend a tenth of their time here. What stands behind a row is read and written,
+// too; the next one takes its place.
+Affine Transform::product(const Affine& a, const Affine& b) {
+  Affine result;
+  const double *const b0 = b[0], *const b1 = b[1], *const b2 = b[2], *const b3 = b[3];
   for (int i = 0; i < 4; ++i) {
     const double* const row = a[i];
+    const double last = i == 3 ? a.at_[12] : 0;
     double sums[4];
-    for (int j = 0; j < 4; ++j) sums[j] = row[0] * b[0][j] + row[1] * b[1][j] + row[2] * b[2][j] + row[3] * b[3][j];
+    for (int j = 0; j < 4; ++j) sums[j] = row[0] * b0[j] + row[1] * b1[j] + row[2] * b2[j] + last * b3[j];
     for (int j = 0; j < 4; ++j) result[i][j] = sums[j];
   }
+  result.at_[12] = a.at_[12] * b.at_[12];
   return result;
 }
 
@@ -63,7 +81,7 @@ Transform Transform::rotation(const Vec3& degrees) {
   }
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) m[i][j] += 0.0;  // no negative zeros, as in the whole product
-  return {m, transposed(m)};
+  return {Affine(m), Affine(transposed(m))};
 }
 
 Transform Transform::axis_rotation(const Vec3& axis, double radians) {
@@ -73,15 +91,15 @@ Transform Transform::axis_rotation(const Vec3& axis, double radians) {
   m[0][0] = k.x * k.x + c * (1.0 - k.x * k.x), m[0][1] = k.x * k.y * u + k.z * s, m[0][2] = k.x * k.z * u - k.y * s;
   m[1][0] = k.x * k.y * u - k.z * s, m[1][1] = k.y * k.y + c * (1.0 - k.y * k.y), m[1][2] = k.y * k.z * u + k.x * s;
   m[2][0] = k.x * k.z * u + k.y * s, m[2][1] = k.y * k.z * u - k.x * s, m[2][2] = k.z * k.z + c * (1.0 - k.z * k.z);
-  return {m, transposed(m)};
+  return {Affine(m), Affine(transposed(m))};
 }
 
 Transform Transform::from_matrix(const Mat4& matrix) {
   const MatrixInverse inverse = cofactor_inverse(matrix);
   if (inverse.determinant == 0) throw std::domain_error("Singular matrix");
-  return {matrix, inverse.matrix};
+  return {Affine(matrix), Affine(inverse.matrix)};
 }
 
-bool Transform::is_identity() const { return m == Mat4(); }
+bool Transform::is_identity() const { return m == Affine(); }
 
 }  // namespace verisim

@@ -56,7 +56,7 @@ void clip_by_plane(const Object& object, BoxRange& range) {
   Vec3 n = plane.normal;
   double d = plane.distance;
   if (object.transform) {
-    const Mat4& m = object.transform->m;
+    const Affine& m = object.transform->m;
     // POV-Ray multiplies by the transpose of the linear part, which is wrong for anything but rigid motions (spec
     // 03 5.6).
     const Vec3 k = plane.normal;

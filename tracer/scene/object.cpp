@@ -123,7 +123,7 @@ bool absorb(Boxed<Quadric>& quadric, const TransformStep& move) {
   a[0][0] = q.square.x, a[1][1] = q.square.y, a[2][2] = q.square.z, a[3][3] = q.constant;
   a[0][1] = q.mixed.x, a[0][2] = q.mixed.y, a[1][2] = q.mixed.z;
   for (int i = 0; i < 3; ++i) a[i][3] = q.linear[i];
-  const Mat4 b = move.t.inv * a * move.t.inv.transposed();
+  const Mat4 inverse = move.t.inv.whole(), b = inverse * a * inverse.transposed();
   q.square = {b[0][0], b[1][1], b[2][2]};
   q.mixed = {b[0][1] + b[1][0], b[0][2] + b[2][0], b[1][2] + b[2][1]};
   q.linear = {b[0][3] + b[3][0], b[1][3] + b[3][1], b[2][3] + b[3][2]};

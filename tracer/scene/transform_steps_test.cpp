@@ -54,8 +54,8 @@ TEST(TransformSteps, ObjectsThatShareATextureShareTheMovedOne) {
 TEST(Transform, ProductsAreTheSumsOfTheMatricesInOrder) {
   const Transform a = Transform::rotation(Vec3(11, 22, 33)), b = Transform::rotation(Vec3(-47, 5, 0.3));
   const Transform moved = Transform::translation(Vec3(1e-3, 1e3, 7)), ab = a.then(moved).then(b);
-  EXPECT_EQ(ab.m, a.m * moved.m * b.m);
-  EXPECT_EQ(ab.inv, b.inv * (moved.inv * a.inv));
+  EXPECT_EQ(ab.m.whole(), a.m.whole() * moved.m.whole() * b.m.whole());
+  EXPECT_EQ(ab.inv.whole(), b.inv.whole() * (moved.inv.whole() * a.inv.whole()));
 }
 
 }  // namespace

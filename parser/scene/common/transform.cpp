@@ -95,7 +95,7 @@ Transform parse_transform(Parser& parser) {
   close_block(parser);
   if (!inverted) return result;
   try {
-    return {Transform::from_matrix(result.m).inv, Transform::from_matrix(result.inv).inv};
+    return {Transform::from_matrix(result.m.whole()).inv, Transform::from_matrix(result.inv.whole()).inv};
   } catch (const std::domain_error&) {
     parser.error(Code::domain_error, "Singular matrix: it cannot be inverted.");
   }

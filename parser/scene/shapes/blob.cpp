@@ -14,7 +14,7 @@ constexpr std::size_t kMaxComponents = 1000000;  // a cylinder counts for three 
 
 // What POV-Ray does to a sphere's own numbers as long as it has no matrix.
 bool absorb(BlobComponent& sphere, Word word, const Transform& move) {
-  const Mat4& m = move.m;
+  const Affine& m = move.m;
   if (sphere.cylinder || sphere.transform) return false;
   if (word == Word::translate)
     sphere.a += Vec3(m[3][0], m[3][1], m[3][2]);

@@ -66,7 +66,7 @@ TEST(FocalBlur, RaysTogetherAreThoseAlone) {
         for (int i = 0; i < count; ++i) {
           const Ray alone = blur.ray(rays, places[i].x, places[i].y, static_cast<int>(numbers[i]))->ray;
           EXPECT_EQ(together->at(i).origin, alone.origin) << i;
-          EXPECT_TRUE(accel::contains(blur.lens(), alone.origin)) << i;
+          EXPECT_TRUE(blur.lens().intersects(alone.origin)) << i;
           EXPECT_EQ(together->at(i).direction, alone.direction) << i;
         }
       }

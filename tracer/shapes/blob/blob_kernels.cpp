@@ -40,7 +40,7 @@ HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number>
   using Mask = typename Number::Mask;
   Number scale = 1.0;
   if (part.moved) {
-    const Mat4& inverse = part.transform->inv;
+    const Affine& inverse = part.transform->inv;
     o = transform_point(inverse, o), d = transform_direction(inverse, d);
     scale = sqrt(dot(d, d));
     const Number inverse_scale = 1.0 / scale;

@@ -33,7 +33,7 @@ unsigned enter(const HeightGrid& grid, const Transform& matrix, const RayPacket&
                z = load(rays.rays.origin.z + first);
   const Packet dx = load(rays.rays.direction.x + first), dy = load(rays.rays.direction.y + first),
                dz = load(rays.rays.direction.z + first);
-  const Mat4& m = matrix.inv;
+  const Affine& m = matrix.inv;
   Packet o[3], d[3];
   for (int i = 0; i < 3; ++i)
     o[i] = x * m[0][i] + y * m[1][i] + z * m[2][i] + m[3][i], d[i] = dx * m[0][i] + dy * m[1][i] + dz * m[2][i];

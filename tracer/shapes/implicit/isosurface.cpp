@@ -185,7 +185,7 @@ class Isosurface final : public Primitive<Isosurface> {
   // `trace` for eight rays.
   class BatchTrace;
   void trace_batch(const RayPacket& rays, BatchHits& hits, FieldPacket& field) const;
-  const Mat4* to_object() const { return has_matrix() ? &matrix().inv : nullptr; }
+  const Affine* to_object() const { return has_matrix() ? &matrix().inv : nullptr; }
   void remember_normals(unsigned found, Hit* hits) const;
 
   static void raise(std::atomic<double>& largest, double v) {

@@ -66,7 +66,7 @@ struct IsosurfaceKernels {
   // Sets up the rays in object space, where they are in the map, and the slopes they may have and are known to have;
   // those that meet the container. The matrix may be null.
   unsigned (*enter)(SearchPacket& packet, EntryPacket& entry, const RayPacket& rays, const scene::Contained& container,
-                    const Mat4* to_object, double max_gradient, double steepest);
+                    const Affine* to_object, double max_gradient, double steepest);
   Intervals (*intervals)(const SearchPacket& packet, const EntryPacket& entry);
   // The points at distances t; and what is found there: of the lanes that were asked for it is kept.
   void (*place)(const SearchPacket& packet, const double* t, double* points);
@@ -82,7 +82,7 @@ struct IsosurfaceKernels {
   unsigned (*advance)(SearchPacket& packet, const double* values);
   // Unit normals in the world, not inverted, from the values at points and at a step along each axis from there: eight
   // each.
-  void (*normals)(const double* values, const Mat4* to_object, double* normals);
+  void (*normals)(const double* values, const Affine* to_object, double* normals);
 };
 
 // Those of the best instruction set of this machine.

@@ -65,13 +65,13 @@ HWY_INLINE Mask meet_sphere(const Vec3& center, double radius, const Vector& ori
 
 // Sets up the rays in object space; those that meet the container.
 unsigned enter(SearchPacket& s, EntryPacket& e, const RayPacket& rays, const scene::Contained& container,
-               const Mat4* to_object, double max_gradient, double steepest) {
+               const Affine* to_object, double max_gradient, double steepest) {
   const auto given = [&](const RayBatch::Vectors& v) VERISIM_INLINE_LAMBDA {
     return Vector{load(v.x + rays.first), load(v.y + rays.first), load(v.z + rays.first)};
   };
   Vector origin = given(rays.rays.origin), direction = given(rays.rays.direction);
   if (to_object) {
-    const Mat4& m = *to_object;
+    const Affine& m = *to_object;
     origin = transform_point(m, origin), direction = transform_direction(m, direction);
   }
   store(s.origin[0], origin.x), store(s.origin[1], origin.y), store(s.origin[2], origin.z);
@@ -143,14 +143,14 @@ Vector unit(const Vector& v) {
 }
 
 // From the values at the points and a little further along each axis.
-void normals(const double* values, const Mat4* to_object, double* normals) {
+void normals(const double* values, const Affine* to_object, double* normals) {
   const Packet here = load(values);
   Vector n{load(values + kLanes) - here, load(values + 2 * kLanes) - here, load(values + 3 * kLanes) - here};
   const Mask flat = (n.x == 0.0) & (n.y == 0.0) & (n.z == 0.0);
   n = unit(n);
   n = {select(flat, 1.0, n.x), select(flat, Packet(0.0), n.y), select(flat, Packet(0.0), n.z)};
   if (to_object) {
-    const Mat4& a = *to_object;  // normals go by the transpose
+    const Affine& a = *to_object;  // normals go by the transpose
     n = {n.x * a[0][0] + n.y * a[0][1] + n.z * a[0][2], n.x * a[1][0] + n.y * a[1][1] + n.z * a[1][2],
          n.x * a[2][0] + n.y * a[2][1] + n.z * a[2][2]};
   }

@@ -23,7 +23,7 @@ std::optional<Transform> frame_of(const scene::Polygon& polygon) {
     if (!(squared(v) > kEpsilon && squared(w) > kEpsilon)) continue;
     const Vec3 across = cross(v, w), a = normalize(across), b = normalize(cross(w, across)), c = normalize(w);
     const Mat4 m(a.x, a.y, a.z, 0, b.x, b.y, b.z, 0, c.x, c.y, c.z, 0, 0, 0, 0, 1);
-    return Transform{m, m.transposed()}.then(Transform::translation(p[0]));
+    return Transform{Affine(m), Affine(m.transposed())}.then(Transform::translation(p[0]));
   }
   return std::nullopt;
 }

@@ -100,7 +100,7 @@ class Text final : public TreePrimitive<Text> {
     tree_ = accel::Bvh(
         glyphs_.size(),
         [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
-    const Mat4& inverse = matrix().inv;
+    const Affine& inverse = matrix().inv;
     for (const PlacedGlyph& g : glyphs_)
       shifts_.emplace_back(inverse[3][0] - g.origin.x, inverse[3][1] - g.origin.y, inverse[3][2]);
   }

@@ -3,12 +3,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+
+#include <boost/container/deque.hpp>
 
 #include "tracer/functions/function.h"
 #include "tracer/textures/compile/compile_pattern.h"
@@ -36,6 +37,9 @@ struct KnownPattern {
   CompiledPattern* compiled;
 };
 
+// Several to a block: aligned blocks for each leave gaps.
+using PatternBlocks = boost::container::deque_options_t<boost::container::block_size<16u>>;
+
 }  // namespace
 
 struct Compiler::Impl {
@@ -51,7 +55,7 @@ struct Compiler::Impl {
   std::unordered_map<PlainNormal, const CompiledNormal*, EqualTexturesHash> plain_normals;
   std::unordered_map<std::string, ColorTable> color_tables;  // by the bytes of their maps
   TurbulenceTable turbulences;
-  std::deque<CompiledPattern> patterns;
+  boost::container::deque<CompiledPattern, void, PatternBlocks> patterns;
   std::unordered_multimap<std::size_t, KnownPattern> known_patterns;  // by hashes of their signatures
   std::shared_ptr<const std::vector<WaveSource>> sources;
   int depth = 0;

@@ -14,7 +14,9 @@ struct Signature {
   void add(const T& v) { bytes.append(reinterpret_cast<const char*>(&v), sizeof v); }
   void add(const Vec2& v) { add(v.x, v.y); }
   void add(const Vec3& v) { add(v.x, v.y, v.z); }
-  void add(const Mat4& m) { bytes.append(reinterpret_cast<const char*>(m.x), sizeof m.x); }
+  void add(const Affine& m) {
+    bytes.append(reinterpret_cast<const char*>(m.numbers().data()), m.numbers().size_bytes());
+  }
   template <class T>
   void add(const std::shared_ptr<T>& p) {
     add(p.get());

@@ -35,7 +35,7 @@ void add_waves(const CompiledNormal& c, int count, const PointBatch& p, PointBat
   static constexpr Instruction kSine[] = {{Code::sin, 0, 0}};
   static const functions::ProgramKernels& kernels = functions::packet_kernels();
   for (const WaveSource& source : *c.pattern->as<WaveData>().sources) {
-    const WaterWave wave(*c.pattern, c.amount, source);
+    const SourceWave wave(*c.pattern, c.amount, source);
     alignas(64) double distances[PointBatch::kMax], sines[PointBatch::kMax];
     normals_of().wave_angles(source, wave, count, p, distances, sines);
     kernels.wide(std::span(kSine), {}, sines, ~0ull >> (PointBatch::kMax - count));

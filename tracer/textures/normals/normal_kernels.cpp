@@ -29,7 +29,7 @@ void to_units(int end, PointBatch& n) {
   }
 }
 
-void transform_by_transposed(const Mat4& a, int end, PointBatch& n) {
+void transform_by_transposed(const Affine& a, int end, PointBatch& n) {
   const double xx = a[0][0], xy = a[0][1], xz = a[0][2], yx = a[1][0], yy = a[1][1], yz = a[1][2], zx = a[2][0],
                zy = a[2][1], zz = a[2][2];
   for (int i = 0; i < end; ++i) {
@@ -50,7 +50,7 @@ void into_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, P
 void out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointBatch& n) {
   const int end = rounded(count);
   if (!no_bump_scale) to_units(end, n);
-  for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) transform_by_transposed(t->inv, end, n);
+  for (std::size_t k = pattern.frame.size(); k-- > 0;) transform_by_transposed(pattern.frame[k].inv, end, n);
   if (!no_bump_scale) to_units(end, n);
 }
 
@@ -84,7 +84,7 @@ void raise(const double* heights, double strength, const Vec3& direction, int co
   }
 }
 
-void wave_angles(const WaveSource& source, const WaterWave& wave, int count, const PointBatch& p, double* distances,
+void wave_angles(const WaveSource& source, const SourceWave& wave, int count, const PointBatch& p, double* distances,
                  double* angles) {
   const int end = rounded(count);
   for (int i = 0; i < end; ++i) {
@@ -93,7 +93,7 @@ void wave_angles(const WaveSource& source, const WaterWave& wave, int count, con
   }
 }
 
-void add_wave(const WaveSource& source, const WaterWave& wave, int count, const PointBatch& p, const double* distances,
+void add_wave(const WaveSource& source, const SourceWave& wave, int count, const PointBatch& p, const double* distances,
               const double* sines, PointBatch& n) {
   const int end = rounded(count);
   const Vec3 from = source.position;

@@ -20,10 +20,10 @@ struct NormalKernels {
   // Adds height * strength * direction.
   void (*raise)(const double* heights, double strength, const Vec3& direction, int count, PointBatch& normals);
   // How far the points are from a source of waves, as wave_distance() says, and the angles of its waves there.
-  void (*wave_angles)(const WaveSource& source, const WaterWave& wave, int count, const PointBatch& points,
+  void (*wave_angles)(const WaveSource& source, const SourceWave& wave, int count, const PointBatch& points,
                       double* distances, double* angles);
   // Adds the slopes of its waves, whose sines are known there.
-  void (*add_wave)(const WaveSource& source, const WaterWave& wave, int count, const PointBatch& points,
+  void (*add_wave)(const WaveSource& source, const SourceWave& wave, int count, const PointBatch& points,
                    const double* distances, const double* sines, PointBatch& normals);
   // Adds factor * direction to points.
   void (*move)(const PointBatch& points, double factor, const Vec3& direction, int count, PointBatch& moved);

@@ -80,8 +80,8 @@ inline double wave_distance(const WaveSource& source, const Vec3& p) {
   return d == 0 ? 1 : d;
 }
 // One source's part of a normal of ripples or waves.
-struct WaterWave {
-  WaterWave(const CompiledPattern& c, double bump, const WaveSource& source)
+struct SourceWave {
+  SourceWave(const CompiledPattern& c, double bump, const WaveSource& source)
       : amount(bump),
         frequency(c.frequency),
         own_frequency(c.kind == scene::PatternKind::waves ? source.frequency : 1),

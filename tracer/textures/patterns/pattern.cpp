@@ -120,7 +120,7 @@ Vec3 normal_into_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 
 
 Vec3 normal_out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
   if (!no_bump_scale) n = normalize(n);
-  for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) n = t->normal(n);
+  for (std::size_t k = pattern.frame.size(); k-- > 0;) n = pattern.frame[k].normal(n);
   return no_bump_scale ? n : normalize(n);
 }
 

@@ -69,14 +69,14 @@ struct CompiledPattern {
   WarpChain chain;
   scene::PatternKind kind = scene::PatternKind::none;
   scene::Wave wave = scene::Wave::ramp;
-  int noise_generator = 2;
-  double frequency = 1, phase = 0, exponent = 1;
   bool plain_wave = false;  // ramp wave, frequency 1, phase 0: values in [0, 1] stay what they are
   bool turbulent = false;   // turbulence was written
+  int noise_generator = 2;
+  double frequency = 1, phase = 0, exponent = 1;
   // The classic record, as the formulas of agate, marble, wood and spirals use it.
   const TurbulenceStep* turbulence = &no_turbulence();
   // The transformations alone, in order of evaluation: what happens to normals. Where one asks for it.
-  std::vector<Transform> frame;
+  scene::List<Transform> frame;
   PatternData data;
   // Not 0: several pigments or textures use this pattern, and its last value at a point is worth remembering. Unique in
   // the program.

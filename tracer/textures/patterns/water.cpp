@@ -32,7 +32,7 @@ double formulas::waves(const CompiledPattern& c, const Vec3& p, const SurfacePoi
 
 Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p, Vec3 n) {
   for (const WaveSource& w : *c.as<WaveData>().sources) {
-    const WaterWave wave(c, amount, w);
+    const SourceWave wave(c, amount, w);
     const double d = wave_distance(w, p);
     n += wave.slope(sine_cycle(wave.cycles(d)), d) * (p - w.position);
   }

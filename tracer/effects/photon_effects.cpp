@@ -65,8 +65,8 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
     if (!plain) {
       sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, diffuse, !ray.gather && !back);
     } else if (diffuse > 0) {
-      sum += static_cast<float>(shading::diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine)) * pigment *
-             intensity;
+      const double share = shading::diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine);
+      sum += shading::scaled(pigment, share) * intensity;
     }
   }
   return sum;

@@ -90,7 +90,7 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
       const textures::WeightedTexture entry = selection_[i];
       if (entry.weight < bailout(ray)) continue;
       const ToldTexture told(observer_, entry.weight);
-      result += shade_texture(ray, at, *entry.texture, p, nullptr) * entry.weight;
+      result += scaled(shade_texture(ray, at, *entry.texture, p, nullptr), entry.weight);
     }
   }
   return result;
@@ -113,7 +113,7 @@ Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures:
     // POV-Ray shades what does not count in an average: it draws numbers.
     if (entry.weight == 0 && !(texture.average && random_.replay())) continue;
     const ToldTexture told(observer_, entry.weight);
-    sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
+    sum += scaled(shade_texture(ray, at, *entry.texture, warped, &inner), entry.weight);
   }
   return sum;
 }

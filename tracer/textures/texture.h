@@ -51,7 +51,7 @@ struct CompiledLayer {
 
 struct WeightedTexture {
   const CompiledTexture* texture;
-  float weight;
+  double weight;
 };
 
 struct CompiledTexture {

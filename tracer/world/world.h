@@ -116,7 +116,8 @@ class World {
   // It is known that no shadow ray between these two points meets anything that is not opaque.
   bool only_opaque_between(const Vec3& from, const Vec3& to) const;
 
-  // Interiors of all objects that contain p, in the order of the hierarchy (of few objects: of declaration), for the start of a camera ray (spec 06 2.1).
+  // Interiors of all objects that contain p, in the order of the hierarchy (of few objects: of declaration), for the
+  // start of a camera ray (spec 06 2.1).
   void interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const;
   // The objects, by number, that alone may have interiors around points of the box; and the interiors of those that
   // contain a point of it.

@@ -47,10 +47,11 @@ void pass_fog(const scene::Fog& fog, double share, FogSegment& segment) {
     density = ground_fog_density(start, start + length * dot(ray.direction, fog.up), fog.offset, fog.altitude);
   }
   const double width = length * (1 - share);
-  const auto clear = std::max(static_cast<float>(std::exp(-width * density / fog.distance)), fog.color.t);
+  const double clear = std::max<double>(std::exp(-width * density / fog.distance), fog.color.t);
   const Rgb tint = fog.color.rgb() * fog.color.f + Rgb(1 - fog.color.f);
-  segment.effect.passed *= tint * clear;
-  segment.effect.added += fog.color.rgb() * (1 - clear);
+  const FogEffect veil{{}, Vec3(1 - clear)};
+  segment.effect.passed *= clear * Vec3(tint.r, tint.g, tint.b);
+  segment.effect.added += veil.of(fog.color.rgb());
 }
 
 }  // namespace

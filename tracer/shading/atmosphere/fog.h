@@ -10,9 +10,15 @@ namespace verisim::shading {
 
 constexpr double kMissDistance = 2e10;  // what fog and rainbows take for the length of a ray that hits nothing
 
-// What fog does to light that comes along a segment: colour = added + passed * colour.
+// What fog does to light that comes along a segment: colour = added + passed * colour, the product rounded to single
+// precision before the sum, as in POV-Ray.
 struct FogEffect {
-  Rgb added, passed{1};
+  Rgb added;
+  Vec3 passed{1.0};
+  Rgb of(const Rgb& color) const {
+    return Rgb(static_cast<float>(passed.x * color.r), static_cast<float>(passed.y * color.g),
+               static_cast<float>(passed.z * color.b));
+  }
 };
 struct FogSegment {
   Ray ray;

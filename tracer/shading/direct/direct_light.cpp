@@ -181,11 +181,11 @@ Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, cons
   if (diffuse > 0 && !replaced) {
     double s = diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine);
     if (finish.crand > 0) s -= finish.crand * random_.crand();
-    sum += static_cast<float>(s) * pigment * intensity;
+    sum += scaled(pigment, s) * intensity;
   }
   if (highlights && has_highlight(finish)) {
     if (const double strength = highlight_strength(finish, layer.normal, view, l); strength != 0) {
-      Rgb color = intensity * static_cast<float>(strength);
+      Rgb color = scaled(intensity, strength);
       if (finish.metallic > 0) color *= metallic_tint(pigment, finish.metallic, cosine);
       sum += color;
     }

@@ -158,7 +158,7 @@ void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, doubl
     if (inside || air) effects->shadow_media(*this, ray, length, inside, air, color);
   }
   if (attenuates && scene_.fog)
-    color *= fog_along(scene_.scene.fogs, ray.ray, length, scene_.scene.settings.noise_generator).passed;
+    color = fog_along(scene_.scene.fogs, ray.ray, length, scene_.scene.settings.noise_generator).of(color);
 }
 
 // What passes a surface of plain colours alone, which hang neither on the place nor on the side: nothing need be known
@@ -209,7 +209,7 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
   for (std::size_t i = first; i < end; ++i) {
     const textures::WeightedTexture entry = selection_[i];
     if (entry.weight >= scene_.adc_bailout)
-      filter += texture_filter(at, *entry.texture, p, towards, nullptr) * entry.weight;
+      filter += scaled(texture_filter(at, *entry.texture, p, towards, nullptr), entry.weight);
   }
   selection_.resize(first);
   return filter;
@@ -228,7 +228,7 @@ Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& text
     Rgb sum;
     for (std::size_t i = 0; i < count; ++i) {
       const textures::WeightedTexture entry = selection_[offset + i];
-      if (entry.weight != 0) sum += texture_filter(at, *entry.texture, warped, towards, &inner) * entry.weight;
+      if (entry.weight != 0) sum += scaled(texture_filter(at, *entry.texture, warped, towards, &inner), entry.weight);
     }
     selection_.resize(first);
     return sum;

@@ -156,7 +156,7 @@ void Wavefront::evaluate_lobes() {
   if (kernels_.evaluate_lobes(lobes_ & kPhong, lobes_ & kBlinn, count_, packet_)) {
     for (int k = 0; k < count_; ++k)
       if (packet_.uncertain[k] && packet_.lit[k] != 0 && packet_.amount[k] * packet_.shines[k] != 0)
-        packet_.strength[k] = static_cast<float>(highlight(k));
+        packet_.strength[k] = highlight(k);
   }
   if (lobes_ & (kBothHighlights | kBrilliance)) evaluate_special_lobes();
   if ((lobes_ & kFilm) || filmed_) tint_by_films();
@@ -179,10 +179,8 @@ void Wavefront::evaluate_special_lobes() {
   for (int k = 0; k < count_; ++k) {
     if (packet_.lit[k] == 0) continue;
     if ((material_[k]->lobes & kBrilliance) && packet_.diffuse[k] != 0)
-      packet_.scattered[k] =
-          static_cast<float>(packet_.diffuse[k] * brilliance(finish_[k]->brilliance, packet_.cosine[k]));
-    if ((material_[k]->lobes & kBothHighlights) && packet_.shines[k] != 0)
-      packet_.strength[k] = static_cast<float>(highlight(k));
+      packet_.scattered[k] = packet_.diffuse[k] * brilliance(finish_[k]->brilliance, packet_.cosine[k]);
+    if ((material_[k]->lobes & kBothHighlights) && packet_.shines[k] != 0) packet_.strength[k] = highlight(k);
   }
 }
 
@@ -224,7 +222,7 @@ void Wavefront::sum_layers(Color* out) {
     }
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
-      sum += shown(leaf, k) * leaf.weight;
+      sum += scaled(shown(leaf, k), leaf.weight);
     }
     result = sum;
   }

@@ -81,7 +81,7 @@ class Wavefront {
     const Materials* materials = nullptr;
     const textures::CompiledTexture* around = nullptr;  // the texture it is part of
     Vec3 point;
-    float weight = 1;
+    double weight = 1;
     Rgb filter{1};
     float translucency = 1;  // below the layers known so far
     int first = -1, last = -1, parts = 0;
@@ -106,7 +106,7 @@ class Wavefront {
   void find_thickness(const Material& material, const int* leaves, int n, double* thickness) const;
   void find_colors_and_normals(const Material& material, const int* leaves, int n);
   void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
-                float weight);
+                double weight);
   Part& add_part(Leaf& leaf);
   Rgb add_mirror(const Leaf& leaf, Part& part);
 

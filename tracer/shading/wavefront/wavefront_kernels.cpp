@@ -95,9 +95,9 @@ void highlight_bases(bool phong, bool blinn, int end, WavefrontPacket& packet, d
   for (int i = 0; i < end; ++i) base[i] = base[i] <= packet.dark_to[i] ? 0 : base[i];
 }
 
-// amount * base^exponent in single precision. The power is computed to more digits than binary32 has; where its error
-// might change the rounding, `uncertain` says so (Ziv, "Fast evaluation of elementary mathematical functions with
-// correctly rounded last bit", 1991).
+// amount * base^exponent, for its product with the intensity in single precision. The power is computed to more digits
+// than binary32 has; where its error might change the rounding, `uncertain` says so (Ziv, "Fast evaluation of
+// elementary mathematical functions with correctly rounded last bit", 1991).
 std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
   constexpr double kSmallest = -690;  // of a logarithm: binary32 has 0 long before
   constexpr double kError = 0x1p-39;  // of the power, relative: 2e-12; that of the logarithm is below 1e-15 times 690
@@ -109,10 +109,14 @@ std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
     const bool in_range = t > kSmallest && t < 600;
     const double raised = power::exponential(in_range ? t : 0);
     const double value = packet.amount[i] * packet.shines[i] * (bright && in_range ? raised : 0);
-    const auto low = static_cast<float>(value - value * kError), high = static_cast<float>(value + value * kError);
-    packet.strength[i] = low;
+    const double low = value - value * kError, high = value + value * kError;
+    const auto same = [low, high](double light) {
+      return static_cast<float>(low * light) == static_cast<float>(high * light);
+    };
+    packet.strength[i] = value;
     // What is darker than the smallest numbers is 0; what is dark on purpose, too.
-    const bool known = low == high && (in_range || t <= kSmallest) && (bright || m <= 0);
+    const bool known = same(packet.intensity.r[i]) & same(packet.intensity.g[i]) & same(packet.intensity.b[i]) &
+                       (in_range | (t <= kSmallest)) & (bright | (m <= 0));
     packet.uncertain[i] = known ? 0 : 1;
     any |= known ? 0 : 1;
   }
@@ -121,8 +125,7 @@ std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
 
 bool evaluate_lobes(bool phong, bool blinn, int count, WavefrontPacket& packet) {
   const int end = rounded(count);
-  for (int i = 0; i < end; ++i)
-    packet.scattered[i] = static_cast<float>(packet.diffuse[i] * brilliance(1, packet.cosine[i]));
+  for (int i = 0; i < end; ++i) packet.scattered[i] = packet.diffuse[i] * brilliance(1, packet.cosine[i]);
   if (!phong && !blinn) {
     for (int i = 0; i < end; ++i) packet.strength[i] = 0;
     return false;
@@ -135,7 +138,8 @@ bool evaluate_lobes(bool phong, bool blinn, int count, WavefrontPacket& packet) 
 void add_channel(int end, const WavefrontPacket& packet, const float* pigment, const float* intensity,
                  const float* tint, const float* film, float* direct) {
   for (int i = 0; i < end; ++i) {
-    const float added = packet.scattered[i] * pigment[i] * intensity[i] + intensity[i] * packet.strength[i] * tint[i];
+    const float added = static_cast<float>(packet.scattered[i] * pigment[i]) * intensity[i] +
+                        static_cast<float>(packet.strength[i] * intensity[i]) * tint[i];
     direct[i] = packet.lit[i] != 0 ? direct[i] + added * film[i] : direct[i];
   }
 }

@@ -40,9 +40,9 @@ struct alignas(64) WavefrontPacket {
   Floats diffuse;                // opacity * coefficient; 0: none
   Floats lit;                    // 1 or 0
   Doubles shines;                // 1 or 0: with highlights
-  Floats scattered;              // diffuse factor
-  Floats strength;               // highlight
-  std::int32_t uncertain[kMax];  // not 0: the last bit of `strength` is not known
+  Doubles scattered;             // diffuse factor
+  Doubles strength;              // highlight
+  std::int32_t uncertain[kMax];  // not 0: the last bit of what `strength` makes of the intensity is not known
 };
 
 // The parts of a perspective camera.

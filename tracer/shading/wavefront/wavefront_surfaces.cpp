@@ -115,7 +115,7 @@ void Wavefront::meet(int i) {
 
 // Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
 void Wavefront::add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
-                         float weight) {
+                         double weight) {
   Leaf& leaf = leaves_.emplace_back();
   leaf.ray = i;
   leaf.materials = &found;

@@ -55,8 +55,8 @@ void expect_color(const Color& c, const Color& expected, const char* what) {
   EXPECT_NEAR(c.t, expected.t, 1e-8) << what;
 }
 
-// All bits, by a pigment function: of 20,000 values of this map each was the same, of maps in single precision throughout
-// a fifth was not.
+// All bits, by a pigment function: of 20,000 values of this map each was the same, of maps in single precision
+// throughout a fifth was not.
 TEST(ColorMap, BlendedColorsHaveAllBits) {
   const auto entries = [](const auto& value) {
     return std::pair(value(Color(.31f, .42f, .53f, .11f, .22f)), value(Color(.91f, .22f, .17f, .37f, .13f)));

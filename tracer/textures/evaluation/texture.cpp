@@ -31,9 +31,8 @@ std::span<const WeightedTexture> select(const CompiledTexture& texture, const Ve
       storage[0] = {map[place.upper].value, 1};
       return storage.first(1);
     }
-    const auto t = static_cast<float>(place.t);
-    storage[0] = {map[place.upper].value, t};
-    storage[1] = {map[place.lower].value, 1 - t};
+    storage[0] = {map[place.upper].value, place.t};
+    storage[1] = {map[place.lower].value, 1 - place.t};
     return storage.first(2);
   }
   warped_point = warped(*texture.pattern, p);

@@ -11,22 +11,22 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kColumns = 96, kRows = 72;
 
 bool in_disc(int x, int y) { return std::hypot(x - 45, y - 35) < 16; }
 
 // A flat background, and a disc on it that shows a pattern.
 Picture pattern_on_disc(const std::function<double(int, int, int)>& pattern) {
-  return picture_of(kWidth, kHeight,
+  return picture_of(kColumns, kRows,
                     [&](int x, int y, int c) { return std::round(in_disc(x, y) ? pattern(x, y, c) : 20.0 + 10 * c); });
 }
 double waves(int x, int y, int c) { return 120 + 60 * std::sin(x / 4.0) * std::cos(y / 5.0) + 15 * c; }
 
 PixelTags tags_of_disc(const std::vector<PixelTags::Tag>& tags) {
   PixelTags out;
-  out.width = kWidth, out.height = kHeight, out.tags = tags, out.sets = {{}, {}};
+  out.width = kColumns, out.height = kRows, out.tags = tags, out.sets = {{}, {}};
   for (std::size_t i = 0; i < tags.size(); ++i) out.sets[1].push_back(static_cast<int>(i));
-  for (int i = 0; i < kWidth * kHeight; ++i) out.set_of.push_back(in_disc(i % kWidth, i / kWidth));
+  for (int i = 0; i < kColumns * kRows; ++i) out.set_of.push_back(in_disc(i % kColumns, i / kColumns));
   return out;
 }
 const PixelTags::Tag kObject{"object", "sphere (s.pov:2)"},
@@ -84,14 +84,14 @@ TEST(OneObject, AShadowThatOnlyTheReferenceHas) {
   PixelTags tags = tags_of_disc({kObject});
   for (int& set : tags.set_of) set = 1;  // all the same
   PixelTags::Part one{"light", "light at <1, 2, 3>", {}}, two{"light", "light at <3, 2, 1>", {}};
-  for (int i = 0; i < kWidth * kHeight; ++i)
+  for (int i = 0; i < kColumns * kRows; ++i)
     for (int c = 0; c < 3; ++c)
-      one.light.push_back(0.1f + 0.002f * static_cast<float>(i % kWidth)),
-          two.light.push_back(0.3f - 0.001f * static_cast<float>(i / kWidth + 9 * c));
+      one.light.push_back(0.1f + 0.002f * static_cast<float>(i % kColumns)),
+          two.light.push_back(0.3f - 0.001f * static_cast<float>(i / kColumns + 9 * c));
   tags.parts = {one, two};
   const auto picture = [&](bool shadow) {
-    return picture_of(kWidth, kHeight, [&](int x, int y, int c) {
-      const auto i = static_cast<std::size_t>(3 * (y * kWidth + x) + c);
+    return picture_of(kColumns, kRows, [&](int x, int y, int c) {
+      const auto i = static_cast<std::size_t>(3 * (y * kColumns + x) + c);
       return std::round(255 * linear_to_srgb(one.light[i] + (shadow && in_disc(x, y) ? 0 : two.light[i])));
     });
   };

@@ -13,23 +13,7 @@ double smooth_step(double low, double high, double x) {
   return u * u * (3 - 2 * u);
 }
 
-void add_weights(std::vector<float>& weights, int a, int b, double weight) {
-  if (b - a <= 1) {
-    weights[a] += static_cast<float>(weight / 2);
-    weights[b] += static_cast<float>(weight / 2);
-    return;
-  }
-  add_weights(weights, a, (a + b) / 2, weight / 2);
-  add_weights(weights, (a + b + 1) / 2, b, weight / 2);
-}
-
 }  // namespace
-
-std::vector<float> area_light_weights(int n) {
-  std::vector<float> weights(static_cast<std::size_t>(n));
-  add_weights(weights, 0, n - 1, 1);
-  return weights;
-}
 
 Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector)
     : source_(&source), area_(source.area && area_lights), projector_(std::move(projector)) {
@@ -50,11 +34,6 @@ Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr
   }
   cos_radius_ = std::cos(source.radius * kPi / 180);
   cos_falloff_ = std::cos(source.falloff * kPi / 180);
-  // Quartering goes on for `adaptive` levels at least; 31 levels halve any grid to the end.
-  if (area_ && !source.jitter && source.adaptive > 31) {
-    weights1_ = area_light_weights(source.size1);
-    weights2_ = area_light_weights(source.size2);
-  }
 }
 
 LightDirection Light::fixed_direction(const Vec3& p, const Vec3& centre) const {

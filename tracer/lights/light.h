@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "tracer/scene/light.h"
 #include "tracer/shapes/shape.h"
@@ -74,11 +73,6 @@ class Light {
   Vec3 offset(const Axes& axes, double u, double v) const;
   int size1() const { return source_->size1; }
   int size2() const { return source_->size2; }
-  // Every sample counts with a fixed weight: no jitter, no adaptive sampling. weight(u, v) = weights1()[u] *
-  // weights2()[v].
-  bool fixed_weights() const { return !weights1_.empty(); }
-  const std::vector<float>& weights1() const { return weights1_; }
-  const std::vector<float>& weights2() const { return weights2_; }
 
  private:
   LightDirection fixed_direction(const Vec3& p, const Vec3& centre) const;
@@ -95,10 +89,6 @@ class Light {
   Box3 box_;
   double cos_radius_ = 0, cos_falloff_ = 0;
   std::unique_ptr<shapes::Shape> projector_;
-  std::vector<float> weights1_, weights2_;
 };
-
-// One-dimensional weights of n samples under recursive halving (spec 06 8.2).
-std::vector<float> area_light_weights(int n);
 
 }  // namespace verisim::shading

@@ -15,8 +15,9 @@ struct Highlight {
 inline Highlight phong_highlight(const scene::Finish& f) {
   return {f.phong, f.phong_size, f.phong_size >= 60 ? 0.0008 : 0};
 }
+// The exponent is of single precision, as in POV-Ray.
 inline Highlight blinn_highlight(const scene::Finish& f) {
-  return {f.specular, f.roughness == 0 ? 0 : 1.0 / f.roughness, 0};
+  return {f.specular, f.roughness == 0 ? 0 : static_cast<float>(1.0 / f.roughness), 0};
 }
 inline bool has_highlight(const scene::Finish& f) { return f.phong > 0 || f.specular > 0; }
 

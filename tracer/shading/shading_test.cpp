@@ -12,20 +12,6 @@
 namespace verisim::shading {
 namespace {
 
-TEST(AreaLight, WeightsOfRecursiveHalving) {
-  const std::pair<int, std::vector<float>> expected[] = {
-      {1, {1}},
-      {2, {.5f, .5f}},
-      {3, {.25f, .5f, .25f}},
-      {4, {.25f, .25f, .25f, .25f}},
-      {5, {.125f, .25f, .25f, .25f, .125f}},
-      {6, {.125f, .25f, .125f, .125f, .25f, .125f}},
-      {7, {.125f, .125f, .125f, .25f, .125f, .125f, .125f}},
-      {9, {.0625f, .125f, .125f, .125f, .125f, .125f, .125f, .125f, .0625f}}};
-  for (const auto& [n, weights] : expected) EXPECT_EQ(area_light_weights(n), weights) << n;
-  EXPECT_EQ(area_light_weights(16), std::vector<float>(16, 1.0f / 16));
-}
-
 TEST(Dispersion, HueWeightsOfSevenSamples) {
   const float expected[7][3] = {
       {.2555f, 0, 1.4329f},  {.0210f, 0, 2.5655f},  {0, .7665f, 2.2890f}, {.0686f, 2.5284f, .6860f},

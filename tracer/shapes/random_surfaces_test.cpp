@@ -145,7 +145,8 @@ TEST(RandomTransforms, TextsAreSolids) {
               },
               {},
               0,
-              true}},
+              true,
+              0.01}},  // scan lines are off where curves are nearly straight (text_test.cpp)
             5000);
 }
 

@@ -15,6 +15,7 @@ struct Solid {
       value;  // in the shape's own space: zero on the surface, about the distance near it; may be empty
   double tolerance = 1e-6;
   bool parity = true;
+  double shortest = 1e-3;  // intervals of which it is told whether they are inside
 };
 
 inline Transform random_transform(std::mt19937& random) {
@@ -81,7 +82,7 @@ inline void check(const Solid& solid, std::mt19937& random, int& hits_seen, int&
     if (!solid.parity) continue;
     depths.push_back(depths.back() + 1);
     for (std::size_t k = 0; k + 1 < depths.size(); ++k) {
-      if (depths[k + 1] - depths[k] < 1e-3) continue;
+      if (depths[k + 1] - depths[k] < solid.shortest) continue;
       ASSERT_EQ(shape->inside(ray.at((depths[k] + depths[k + 1]) / 2)), k % 2 == 1)
           << "ray " << i << " interval " << k << " of " << depths.size();
     }

@@ -64,15 +64,6 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   if (!light.projector() && !in_order_ && !light_on_way_changes(light))
     grid.together = true, grid.entry = shadow_entry(query, p);
   if (grid.together) ask_first_corners(grid);
-  // In POV-Ray's order, where each sample asks first what blocked the one before, the quarters of the grid follow one
-  // another.
-  if (light.fixed_weights() && !in_order_) {
-    Rgb sum;
-    for (int v = 0; v < light.size2(); ++v)
-      for (int u = 0; u < light.size1(); ++u)
-        sum += area_corner(grid, u, v) * (light.weights1()[u] * light.weights2()[v]);
-    return sum;
-  }
   return area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
 }
 

@@ -45,6 +45,11 @@ INSTANTIATE_TEST_SUITE_P(
         LastBits{"fog",
                  around("fog { distance 30000 rgb <.7,.8,.9> }"),
                  {{75, 0, 42818, 49372, 55925}, {59, 93, 42416, 48969, 55523}, {59, 146, 42416, 48969, 55523}}},
+        LastBits{"ground fog",
+                 camera("<0,1,0>") +
+                     "sphere { 0, 30000 hollow pigment { rgb <.3,.4,.5> } finish {ambient 1 diffuse 0} scale "
+                     "<1,2,3>*.002 } fog { fog_type 2 distance 50 rgb <.7,.8,.9> fog_offset .1 fog_alt 2 }",
+                 {{70, 6, 22380, 28934, 35487}, {19, 15, 22730, 29283, 35837}, {30, 30, 23082, 29636, 36189}}},
         LastBits{"two fogs",
                  around("fog { distance 30000 rgb <.7,.8,.9> } fog { distance 50000 rgb <.3,.1,.2> }"),
                  {{30, 2, 52574, 49713, 59915}, {105, 72, 57828, 53761, 65005}, {105, 167, 57828, 53761, 65005}}},

@@ -141,8 +141,8 @@ void PathTracer::atmosphere(const Walk& walk, double length, Rgb& factor, Rgb& a
   if (scene_.data.fog) {
     const shading::FogEffect fog =
         shading::fog_along(scene_.data.scene.fogs, walk.ray.ray, length, scene_.data.scene.settings.noise_generator);
-    factor = fog.of(factor);
-    added = fog.added + fog.of(added);
+    factor *= fog.passed();
+    added = fog.added + fog.passed() * added;
   }
 }
 

@@ -149,7 +149,7 @@ TEST(Fog, ProbeA1) {
   scene::Fog fog;
   fog.distance = 8, fog.color = {.2f, .5f, .8f, .5f, .1f};
   const FogEffect e = fog_along(std::span(&fog, 1), Ray{{0, 0, 0}, {0, 0, 1}}, 5, 2);
-  const Rgb c = e.added + e.of(Rgb(.9f, .6f, .3f));
+  const Rgb c = e.added + e.passed() * Rgb(.9f, .6f, .3f);
   EXPECT_NEAR(c.r * 65535, 25034, 2);
   EXPECT_NEAR(c.g * 65535, 31014, 2);
   EXPECT_NEAR(c.b * 65535, 33836, 2);

@@ -136,8 +136,7 @@ void Tracer::apply_fog(std::span<const MediaSegment> segments) const {
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const FogEffect& fog = ways[k].effect;
     Color& color = *segments[k].color;
-    const Rgb seen_through = fog.of(Rgb(1));
-    color = Color(fog.added + fog.of(color.rgb()), 0, color.t * seen_through.grey());
+    color = Color(fog.added + fog.passed() * color.rgb(), 0, color.t * fog.passed().grey());
   }
 }
 

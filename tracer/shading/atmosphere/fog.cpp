@@ -1,6 +1,7 @@
 #include "tracer/shading/atmosphere/fog.h"
 
 #include "tracer/noise/noise.h"
+#include "tracer/shading/finish.h"
 #include "tracer/textures/point_batch.h"
 
 namespace verisim::shading {
@@ -49,9 +50,8 @@ void pass_fog(const scene::Fog& fog, double share, FogSegment& segment) {
   const double width = length * (1 - share);
   const double clear = std::max<double>(std::exp(-width * density / fog.distance), fog.color.t);
   const Rgb tint = fog.color.rgb() * fog.color.f + Rgb(1 - fog.color.f);
-  const FogEffect veil{{}, Vec3(1 - clear)};
-  segment.effect.passed *= clear * Vec3(tint.r, tint.g, tint.b);
-  segment.effect.added += veil.of(fog.color.rgb());
+  segment.effect.clear *= clear * Vec3(tint.r, tint.g, tint.b);
+  segment.effect.added += scaled(fog.color.rgb(), 1 - clear);
 }
 
 }  // namespace

@@ -10,15 +10,11 @@ namespace verisim::shading {
 
 constexpr double kMissDistance = 2e10;  // what fog and rainbows take for the length of a ray that hits nothing
 
-// What fog does to light that comes along a segment: colour = added + passed * colour, the product rounded to single
-// precision before the sum, as in POV-Ray.
+// What fog does to light that comes along a segment: colour = added + passed() * colour.
 struct FogEffect {
   Rgb added;
-  Vec3 passed{1.0};
-  Rgb of(const Rgb& color) const {
-    return Rgb(static_cast<float>(passed.x * color.r), static_cast<float>(passed.y * color.g),
-               static_cast<float>(passed.z * color.b));
-  }
+  Vec3 clear{1.0};  // of all fogs; in double precision, as in POV-Ray
+  Rgb passed() const { return {static_cast<float>(clear.x), static_cast<float>(clear.y), static_cast<float>(clear.z)}; }
 };
 struct FogSegment {
   Ray ray;

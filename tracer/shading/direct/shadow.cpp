@@ -158,7 +158,7 @@ void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, doubl
     if (inside || air) effects->shadow_media(*this, ray, length, inside, air, color);
   }
   if (attenuates && scene_.fog)
-    color = fog_along(scene_.scene.fogs, ray.ray, length, scene_.scene.settings.noise_generator).of(color);
+    color *= fog_along(scene_.scene.fogs, ray.ray, length, scene_.scene.settings.noise_generator).passed();
 }
 
 // What passes a surface of plain colours alone, which hang neither on the place nor on the side: nothing need be known

@@ -66,7 +66,7 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
       sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, diffuse, !ray.gather && !back);
     } else if (diffuse > 0) {
       const double share = shading::diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine);
-      sum += shading::scaled(pigment, share) * intensity;
+      sum += scaled(pigment, share) * intensity;
     }
   }
   return sum;

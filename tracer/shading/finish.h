@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "tracer/math/scaled.h"
 #include "tracer/math/vec.h"
 #include "tracer/noise/noise.h"
 #include "tracer/scene/texture.h"
@@ -56,16 +57,6 @@ inline float surface_opacity(const Color& c, int version) {
 inline double brilliance(float exponent, double cosine) {
   return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent);
 }
-// Of what layers make of light, a product with a number of double precision is rounded to single precision before any
-// other, as in POV-Ray: that of the diffuse share with the pigment, that of a highlight with the light, those of the
-// textures of a map with their weights.
-inline Rgb scaled(const Rgb& c, double by) {
-  return {static_cast<float>(by * c.r), static_cast<float>(by * c.g), static_cast<float>(by * c.b)};
-}
-inline Color scaled(const Color& c, double by) {
-  return {scaled(c.rgb(), by), static_cast<float>(by * c.f), static_cast<float>(by * c.t)};
-}
-
 // How much of a light at this angle a layer reflects diffusely, but for crand.
 inline double diffuse_share(float opacity, float diffuse, float exponent, double cosine) {
   return opacity * diffuse * brilliance(exponent, cosine);

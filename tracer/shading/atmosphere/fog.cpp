@@ -1,7 +1,7 @@
 #include "tracer/shading/atmosphere/fog.h"
 
+#include "tracer/math/scaled.h"
 #include "tracer/noise/noise.h"
-#include "tracer/shading/finish.h"
 #include "tracer/textures/point_batch.h"
 
 namespace verisim::shading {

@@ -9,6 +9,7 @@
 #include "compare/causes/fog_density.h"
 #include "compare/causes/moved_light.h"
 #include "compare/causes/registration.h"
+#include "compare/causes/transfer.h"
 
 namespace verisim::compare {
 namespace {
@@ -21,28 +22,6 @@ constexpr const char* kLitElsewhere = "light elsewhere";  // the part of a light
 bool overlaps(const std::string& kind) {
   return std::find(std::begin(kOverlapping), std::end(kOverlapping), kind) != std::end(kOverlapping);
 }
-
-// From linear light to the code values of the pictures: sRGB, or linear files.
-class Transfer {
- public:
-  // The one that brings the sum of the terms nearest to the picture.
-  Transfer(const Case& c, const Pixels& sum, const Pixels& picture) {
-    double srgb = 0, plain = 0;
-    for (std::size_t i = 0; i < c.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        srgb += std::fabs(coded(sum[i][k]) - picture[i][k]),
-            plain += std::fabs(255 * std::clamp(sum[i][k], 0.0f, 1.0f) - picture[i][k]);
-    linear_ = plain < srgb;
-  }
-  double light(float code) const { return linear_ ? code / 255 : srgb_to_linear(code / 255); }
-  float code(double light) const {
-    return linear_ ? static_cast<float>(255 * std::clamp(light, 0.0, 1.0)) : coded(light);
-  }
-
- private:
-  static float coded(double v) { return static_cast<float>(255 * linear_to_srgb(std::clamp(v, 0.0, 1.0))); }
-  bool linear_ = false;
-};
 
 std::map<Key, Pixels> terms_of(const Case& c, const PixelTags& tags) {
   std::map<Key, Pixels> out;

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Pictures of 16 bits, without gamma, of one object under one feature each, by POV-Ray and by verisim: where a product is
+rounded in another order, one pixel in a thousand differs by one of 65,536.
+
+usage: last_bits.py [--verisim PROGRAM] [--size 320x240] [--only TEXT] [--kept FOLDER]
+
+Prints how many pixels of each scene differ, and by how much. With --kept the pictures stay in FOLDER (NAME.pov.png,
+NAME.ours.png), for finding the order with numpy: it is one of the few there are, which has no pixel off.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+CAMERA = "camera { location <0.3, 1.7, -5> look_at <0, 0.2, 0> angle 50 } "
+LIGHT = "light_source { <4, 7, -5> rgb <0.83, 0.71, 0.93> } "
+GLOBAL = "#version 3.7; global_settings { assumed_gamma 1 ambient_light rgb <0.61, 0.73, 0.87> } "
+BALL = "sphere { 0, 1.3 pigment { rgb <0.71, 0.43, 0.29> } finish { ambient 0.13 diffuse 0.67 %s } } "
+FLOOR = "plane { y, -1.3 pigment { rgb <0.37, 0.81, 0.53> } finish { ambient 0.07 diffuse 0.73 } } "
+
+
+def plain(finish="", more=FLOOR, light=LIGHT):
+    return GLOBAL + CAMERA + light + BALL % finish + more
+
+
+def with_light(modifiers):
+    return plain(light="light_source { <4, 7, -5> rgb <0.83, 0.71, 0.93> %s } " % modifiers)
+
+
+def glass(interior, pigment="rgbf <0.93, 0.87, 0.81, 0.9>"):
+    return plain(more=FLOOR + "box { <-2.5, -1.2, -2>, <-0.5, 0.7, -1.5> rotate 11*y pigment { %s } finish { ambient 0 "
+                 "diffuse 0.1 } interior { %s } } " % (pigment, interior))
+
+
+def medium(text):
+    return plain(more=FLOOR + "sphere { <1, 0.5, -1.5>, 1 pigment { rgbt 1 } hollow interior { media { %s } } } " % text)
+
+
+SCENES = {
+    "diffuse": plain(),
+    "brilliance": plain("brilliance 1.7"),
+    "diffuse_back": plain("diffuse 0.6, 0.3"),
+    "phong": plain("phong 0.7 phong_size 23"),
+    "specular": plain("specular 0.7 roughness 0.013"),
+    "metallic": plain("specular 0.7 roughness 0.05 metallic"),
+    "metallic_phong": plain("phong 0.7 phong_size 17 metallic 0.6"),
+    "albedo": plain("specular albedo 0.3 roughness 0.05"),
+    "irid": plain("irid { 0.35 thickness 0.7 turbulence 0.3 }"),
+    "mirror": plain("reflection { 0.37 }"),
+    "mirror_range": plain("reflection { <0.1, 0.2, 0.3>, <0.9, 0.7, 0.6> falloff 1.3 exponent 0.8 }"),
+    "mirror_fresnel": plain("reflection { 0.05, 0.9 fresnel on } conserve_energy")
+    .replace("} } " + FLOOR, "} interior { ior 1.47 } } " + FLOOR),
+    "mirror_metallic": plain("reflection { 0.6 metallic 0.8 }"),
+    "spotlight": with_light("spotlight radius 8 falloff 14 tightness 0 point_at <0, 0, 0>"),
+    "spotlight_tight": with_light("spotlight radius 10 falloff 25 tightness 7 point_at <0, 0, 0>"),
+    "cylinder": with_light("cylinder radius 0.8 falloff 2.3 tightness 1.3 point_at <0, 0, 0>"),
+    "fading": with_light("fade_distance 5 fade_power 2"),
+    "fading_steep": with_light("fade_distance 5 fade_power 1.3"),
+    "parallel": with_light("parallel point_at <0, 0, 0>"),
+    "shadowless": with_light("shadowless fade_distance 7 fade_power 1"),
+    "area": with_light("area_light <2, 0, 0>, <0, 0, 2>, 4, 4"),
+    "area_spot": with_light("spotlight radius 8 falloff 14 point_at 0 area_light <2, 0, 0>, <0, 0, 2>, 4, 4"),
+    "area_illumination": with_light("area_light <2, 0, 0>, <0, 0, 2>, 4, 4 area_illumination on"),
+    "two_lights": plain(light=LIGHT + "light_source { <-5, 3, -4> rgb <0.31, 0.27, 0.43> } "),
+    "fog": plain(more=FLOOR + "fog { distance 11 rgb <0.53, 0.61, 0.79> } "),
+    "fog_transmit": plain(more=FLOOR + "fog { distance 11 rgbft <0.53, 0.61, 0.79, 0.2, 0.3> } "),
+    "fog_ground": plain(more=FLOOR + "fog { fog_type 2 distance 6 fog_offset -1 fog_alt 0.4 rgb <0.53, 0.61, 0.79> } "),
+    "glass": glass("ior 1.37"),
+    "glass_plain": glass(""),
+    "glass_transmit": glass("ior 1.13", "rgbt <0.93, 0.87, 0.81, 0.7>"),
+    "glass_fade": glass("ior 1.37 fade_distance 1.3 fade_power 2 fade_color rgb <0.7, 0.8, 0.4>"),
+    "glass_fade_exp": glass("ior 1.37 fade_distance 1.3 fade_power 1001 fade_color rgb <0.7, 0.8, 0.4>"),
+    "glass_dispersion": glass("ior 1.37 dispersion 1.03 dispersion_samples 5"),
+    "media_emission": medium("emission <0.31, 0.43, 0.17>"),
+    "media_absorption": medium("absorption <0.31, 0.43, 0.17>"),
+    "media_scattering": medium("scattering { 1, <0.31, 0.43, 0.17> extinction 0.7 }"),
+    "media_density": medium("emission 0.4 absorption 0.2 density { spherical color_map { [0 rgb 0.1] [1 rgb <1, 0.7, 0.3>] } }"),
+    "color_map": plain().replace("rgb <0.37, 0.81, 0.53>", "gradient x color_map { [0 rgb <0.1,0.3,0.7>] [1 rgb <0.9,0.4,0.2>] }"),
+    "pigment_map": plain().replace("rgb <0.37, 0.81, 0.53>", "gradient x pigment_map { [0 rgb <0.1,0.3,0.7>] [1 rgb <0.9,0.4,0.2>] }"),
+    "texture_map": plain(more="plane { y, -1.3 texture { gradient x texture_map { [0 pigment { rgb <0.1,0.3,0.7> } ] "
+                              "[1 pigment { rgb <0.9,0.4,0.2> } finish { specular 0.3 } ] } } } "),
+    "average": plain(more="plane { y, -1.3 pigment { average pigment_map { [1 gradient x] [2 rgb <0.2,0.3,0.4>] [0.5 bozo] } } } "),
+    "layers": plain(more="plane { y, -1.3 pigment { rgb <0.37, 0.81, 0.53> } finish { ambient 0.1 } } box { <-3, -1.3, -2>, <3, -1.2, 3> "
+                         "texture { pigment { rgb <0.8,0.3,0.2> } } texture { pigment { gradient x color_map { [0 rgbf 1] [1 rgbt "
+                         "<0.3,0.4,0.7,0.3>] } } finish { diffuse 0.4 specular 0.3 } } } "),
+    "filter_shadow": plain(more=FLOOR + "box { <0, 2, -2>, <2, 2.1, 0> pigment { rgbf <0.9, 0.7, 0.3, 0.6> } } "),
+    "sky": plain(more="sky_sphere { pigment { gradient y color_map { [0 rgb <0.7,0.6,0.5>] [1 rgb <0.1,0.2,0.5>] } } } "),
+    "rainbow": plain(more=FLOOR + "rainbow { angle 42 width 9 distance 10 direction <-0.2,-0.3,1> color_map { [0 rgbt <1,0.3,0.2,0.7>] "
+                                  "[1 rgbt <0.2,0.3,1,0.8>] } } "),
+    "sharpened": plain("ambient 0.2 emission <0.07, 0.11, 0.03>"),
+    "bumps": plain("} normal { bumps 0.4 scale 0.3 ").replace("%s", ""),
+    "backside": plain(more=FLOOR).replace("sphere { 0, 1.3", "sphere { 0, 1.3 clipped_by { plane { z, 0 } } rotate 120*y"),
+}
+
+
+def samples(picture):
+    """(width, height, rows of samples of 16 bits)"""
+    data, at, packed = picture.read_bytes(), 8, b""
+    while at < len(data):
+        (size,) = struct.unpack(">I", data[at : at + 4])
+        kind, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
+        at += 12 + size
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", body[:10])
+            assert (depth, color) == (16, 2)
+        elif kind == b"IDAT":
+            packed += body
+    raw, stride, rows, above = zlib.decompress(packed), 6 * width, [], bytes(6 * width)
+    for y in range(height):
+        above = unfiltered(raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)]), above)
+        rows.append(struct.unpack(f">{3 * width}H", above))
+    return width, height, rows
+
+
+def unfiltered(kind, line, above):
+    for i in range(len(line)):
+        a, b, c = (line[i - 6] if i >= 6 else 0), above[i], (above[i - 6] if i >= 6 else 0)
+        if kind == 4:
+            pa, pb, pc = abs(b - c), abs(a - c), abs(a + b - 2 * c)
+            a = a if pa <= pb and pa <= pc else b if pb <= pc else c
+        line[i] = (line[i] + (0, a, b, (a + b) // 2, a)[kind]) & 255
+    return bytes(line)
+
+
+def render(program, scene, picture, size, extra):
+    width, height = size.split("x")
+    command = [program, f"+I{scene.name}", f"+O{picture}", f"+W{width}", f"+H{height}", "-A", "-D", "-P", "+FN16", "File_Gamma=1.0"]
+    subprocess.run(command + extra, cwd=scene.parent, stdin=subprocess.DEVNULL, capture_output=True, check=True)
+
+
+def difference(name, options, folder):
+    scene = folder / f"{name}.pov"
+    scene.write_text(SCENES[name])
+    pov, ours = folder / f"{name}.pov.png", folder / f"{name}.ours.png"
+    try:
+        render(options.povray, scene, pov, options.size, ["+WT1"])
+        render(options.verisim, scene, ours, options.size, ["+WT1", "--replay"])
+    except subprocess.CalledProcessError as error:
+        return f"{name}: {(error.stderr or b'').decode(errors='replace')[-300:]}"
+    width, _, a = samples(pov)
+    _, _, b = samples(ours)
+    largest = [max(abs(x - y) for x, y in zip(u[3 * k : 3 * k + 3], v[3 * k : 3 * k + 3])) for u, v in zip(a, b) for k in range(width)]
+    return f"{name}\t{sum(l > 0 for l in largest)} px by {max(largest)}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--verisim", default=shutil.which("verisim") or "build/release/bin/verisim")
+    parser.add_argument("--povray", default="povray")
+    parser.add_argument("--size", default="320x240")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--kept", type=pathlib.Path)
+    options = parser.parse_args()
+    options.verisim = str(pathlib.Path(options.verisim).resolve())
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        folder = options.kept.resolve() if options.kept else pathlib.Path(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        names = [name for name, text in SCENES.items() if text and options.only in name]
+        for told in pool.map(lambda name: difference(name, options, folder), names):
+            print(told, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -16,6 +16,7 @@ import dataclasses
 import hashlib
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -98,8 +99,10 @@ def render(program, scene, options, extra, picture):
 
 
 def samples(picture):
-    """of a PPM file of 8 bits"""
-    return picture.read_bytes().split(b"\n", 3)[3]
+    """of a PPM file of 8 bits, behind its head, which may hold comments"""
+    kept = picture.read_bytes()
+    head = re.match(rb"P6\s+(?:#[^\n]*\n\s*)*\d+\s+(?:#[^\n]*\n\s*)*\d+\s+(?:#[^\n]*\n\s*)*\d+\s", kept)
+    return kept[head.end() :]
 
 
 def difference(reference, ours):

@@ -14,6 +14,19 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
+HWY_INLINE void leave_to_library(Packet& power, const Mask& known, const Packet& x, int k) {
+  unsigned left = ~bits(known) & 0xff;
+  if (left == 0) [[likely]]
+    return;
+  alignas(64) double powers[8], given[8];
+  store(powers, power), store(given, x);
+  for (; left != 0; left &= left - 1) {
+    const int lane = std::countr_zero(left);
+    powers[lane] = std::pow(given[lane], k);
+  }
+  power = load(powers);
+}
+
 #include "tracer/textures/patterns/fractal_orbit.inc"
 
 template <class Step>

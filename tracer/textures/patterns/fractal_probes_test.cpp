@@ -1,6 +1,7 @@
 // The values of spec 05 section 15 (fractals), and orbits computed side by side.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -92,6 +93,72 @@ TEST(PatternProbes, Fractals) {
   check(probes, points, 2e-12);
 }
 
+struct Orbit {
+  PatternKind kind;
+  int magnet, exponent, iterations;
+  std::array<double, 6> ends;
+};
+
+// All bits of POV-Ray's: real and imaginary parts of where orbits end, modulo 1, for three points, divided by 32, as
+// `str(F(x, y, 0), 0, 24)` wrote them.
+TEST(PatternProbes, LastBitsOfFractals) {
+  const Orbit orbits[] = {
+      Orbit{PatternKind::mandel,
+            0,
+            3,
+            40,
+            {0.010075466054429837309270, 0.010956614194259483435756, 0.113733389626842484876335,
+             0.882630955316464183013636, 0.080326629162226020897108, 0.977265772193024240266368}},
+      Orbit{PatternKind::mandel,
+            0,
+            4,
+            40,
+            {0.013622892944908026116591, 0.011231988558213921308715, 0.913749244313423636398852,
+             0.708901160667581797802939, 0.068895770471272294033227, 0.971881825520089503989141}},
+      Orbit{PatternKind::julia,
+            0,
+            5,
+            2,
+            {0.004943708070714290976622, 0.992974016964866756929098, 0.005763837367683905844873,
+             0.993192306911103939270902, 0.003617981638155055423151, 0.993086253781028438503142}},
+      Orbit{PatternKind::julia,
+            0,
+            12,
+            1,
+            {0.005031667151587791882161, 0.992996057875149329419173, 0.005063329991623459654104,
+             0.993886643629939170452303, 0.005960774446655889638458, 0.991869589088470449134149}},
+      Orbit{PatternKind::julia,
+            0,
+            33,
+            1,
+            {0.004933761707250912398326, 0.992970836428187175748405, 0.004932386135855545972184,
+             0.992969450019225430281722, 0.004929037843855937212068, 0.992965060290116441343855}},
+      Orbit{PatternKind::magnet_julia,
+            2,
+            2,
+            9,
+            {0.017964284445226595676726, 0.011675098276433967803278, 0.017982691568300131212954,
+             0.011690962315418877703888, 0.017952435047174773730116, 0.011674194725835484315324}},
+      Orbit{PatternKind::magnet_mandel,
+            2,
+            2,
+            30,
+            {0.003532782591663184961622, 0.991856331201983354439733, 0.031174338552942479352303,
+             0.999806930070926247466900, 0.001439240591301862775761, 0.000694157311602939782261}},
+  };
+  const Vec3 points[3] = {{71193021, 43122199, 0}, {-60000017, 80119335, 0}, {104001171, -7120133, 0}};
+  for (const Orbit& orbit : orbits)
+    for (int n = 0; n < 6; ++n) {
+      FractalParams f;
+      f.magnet = orbit.magnet, f.exponent = orbit.exponent, f.iterations = orbit.iterations;
+      f.julia = {21190333 * 0x1p-27, -30190013 * 0x1p-27};
+      f.interior_type = f.exterior_type = 2 + n % 2, f.interior_factor = f.exterior_factor = 1.0 / 32;
+      const double end = std::fmod(fractal(f, orbit.kind, points[n / 2] * 0x1p-27), 1.0);
+      EXPECT_EQ(end < 0 ? end + 1 : end, orbit.ends[static_cast<std::size_t>(n)])
+          << f.magnet << ", " << f.exponent << ", " << n;
+    }
+}
+
 // Orbits that go round for ever end where step by step iteration ends, with the same bits.
 TEST(PatternProbes, LongOrbitsOfFractals) {
   std::mt19937 random{11};
@@ -126,7 +193,8 @@ TEST(PatternProbes, OrbitsSideBySide) {
     if (!kernels) continue;
     for (int n = 0; n < 60; ++n) {
       FractalParams f;
-      f.iterations = n % 9 == 0 ? 0 : 40 * n, f.exponent = 2 + n % 4, f.julia = {real(random), imaginary(random)};
+      f.iterations = n % 9 == 0 ? 0 : 40 * n, f.exponent = n % 13 == 0 ? 33 : 2 + n % 5,
+      f.julia = {real(random), imaginary(random)};
       f.exterior_type = n % 9, f.exterior_factor = 3.5, f.interior_type = n % 7, f.interior_factor = 0.7;
       constexpr PatternKind kKinds[] = {PatternKind::julia, PatternKind::mandel, PatternKind::magnet_julia,
                                         PatternKind::magnet_mandel};

@@ -108,7 +108,9 @@ TEST(Region, FollowsTheProbesOfP13) {
                                       {{"+SC3.7", "+EC6.7"}, 2, 5, 0, 7},
                                       {{"+SC1", "+EC1"}, 0, 9, 0, 7},
                                       {{"+SC2", "+EC2"}, 1, 1, 0, 7},
-                                      {{"+SR0.99"}, 0, 9, 7, 7}};
+                                      {{"+SR0.99"}, 0, 9, 7, 7},
+                                      {{"+W200", "+H120", "+SC0.57", "+SR0.35"}, 113, 199, 41, 119},
+                                      {{"+W100", "+H200", "+EC0.59", "+ER0.295"}, 0, 57, 0, 57}};
   for (const RegionCase& test : cases) {
     Options given = options({"+W10", "+H8"});
     for (const char* word : test.words) apply_argument(given, word);

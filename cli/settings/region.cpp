@@ -8,10 +8,13 @@ namespace verisim::cli {
 namespace {
 
 // Values below 1 are fractions of the picture, others are one-based columns or rows; an end of exactly 1 means "all".
-double first(double value, int size) {
+// Fractions are numbers of single precision, as POV-Ray keeps its settings: 0.35 of 120 rows are 41.
+double first(double given, int size) {
+  const double value = static_cast<float>(given);
   return value >= 0 && value < 1 ? std::floor(value * size) : std::floor(value) - 1;
 }
-double last(double value, int size) {
+double last(double given, int size) {
+  const double value = static_cast<float>(given);
   return value >= 0 && value <= 1 ? std::floor(value * size) - 1 : std::floor(value - 1);
 }
 

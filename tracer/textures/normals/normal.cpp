@@ -121,14 +121,14 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
     default: {
       const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
       Vec3 sum(0, 0, 0);
-      double total = 0;
+      float total = 0;  // the bits of POV-Ray's sum of weights
       for (std::size_t i = 0; i < c.children.size(); ++i) {
         surface.normal = n;
         apply(*c.children[i], q, surface);
         sum += static_cast<double>(c.positions.position(i)) * surface.normal;
         total += c.positions.position(i);
       }
-      surface.normal = sum / total;
+      surface.normal = sum * (1.0 / total);
       break;
     }
   }

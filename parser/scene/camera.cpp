@@ -17,7 +17,7 @@ bool uses_view_angle(CameraKind kind) { return kind == CameraKind::perspective |
 // direction := unit(direction) |right| / (2 tan(angle / 2)), step 2 of spec 02 1.3.
 void apply_angle(Camera& camera) {
   if (!uses_view_angle(camera.kind) || !(camera.angle > 0)) return;
-  const double distance = length(camera.right) / std::tan(camera.angle * M_PI / 360) / 2;
+  const double distance = length(camera.right) / std::tan(camera.angle * (M_PI / 360)) / 2;
   camera.direction = normalize(camera.direction) * distance;
 }
 

@@ -77,7 +77,7 @@ int solve_quartic_closed(const double* c, double* roots) {
       roots[n++] = middle + root + shift;
       roots[n++] = middle - root + shift;
     } else if (discriminant == 0) {
-      roots[n++] = middle + shift;
+      roots[n++] = middle - shift;  // the other sign, as in POV-Ray, which so loses most double roots
     }
   };
   add_pair(0.5 * u, z + v);

@@ -56,6 +56,11 @@ TEST(Polynomial, QuadraticMergesNearlyEqualRoots) {
   EXPECT_EQ(solve({1, -2, 1 - 1e-9}).size(), 2u);
 }
 
+// (x - 0.75)^2 (x - 2.75) (x + 0.75): where rounding leaves two roots as one, it is mirrored at the mean of all four.
+TEST(Polynomial, QuarticMisplacesDoubleRoots) {
+  EXPECT_EQ(solve(from_roots({0.75, 0.75, 2.75, -0.75})), (std::vector<double>{-1, -0.75, 2.75}));
+}
+
 TEST(Polynomial, EliminatesTheRootAtTheStart) {
   const auto c = from_roots({1e-6, 1, 2, 3});
   EXPECT_EQ(solve(c, false, 1e-4).size(), 3u);

@@ -28,18 +28,6 @@ bool valid(const scene::MeshData& data, const scene::MeshTriangle& t) {
   return true;
 }
 
-// A triangle whose three normals are (almost) equal is flat and uses its geometric normal (spec 04 1.3).
-bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t) {
-  if (!t.smooth) return false;
-  for (const std::uint32_t n : t.normal) {
-    if (n >= data.normals.size()) return false;
-  }
-  const Vec3 n1 = normalize(data.normals[t.normal[0]]), n2 = normalize(data.normals[t.normal[1]]),
-             n3 = normalize(data.normals[t.normal[2]]);
-  const Vec3 d2 = n1 - n2, d3 = n1 - n3;
-  return dot(d2, d2) > 1e-10 || dot(d3, d3) > 1e-10;
-}
-
 // The vector in the plane of a triangle whose product with a point is 0 at P1 and 1 on the edge P2 P3. POV-Ray keeps it
 // in binary32, and normalises it so (spec 04 1.4).
 Vec3 rise_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
@@ -55,7 +43,57 @@ Vec3 rise_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
 
 Vec3 plane_normal(const Vec3& p1, const Vec3& p2, const Vec3& p3) { return normalize(cross(p3 - p1, p2 - p1)); }
 
+std::array<int, 3> corners_of(const scene::MeshData& data, const scene::MeshTriangle& t, PlaneAxes axes) {
+  const bool swap = turns_clockwise(kept_vertex(data, t, 0), kept_vertex(data, t, 1), kept_vertex(data, t, 2), axes);
+  return swap ? std::array<int, 3>{1, 0, 2} : std::array<int, 3>{0, 1, 2};
+}
+
+Vec3 interpolated_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const std::array<int, 3>& c,
+                         const Vec3& p) {
+  const auto vertex_normal = [&](int k) {
+    return f32(normalize(data.normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]));
+  };
+  const auto as_written = [&](int k) {
+    return data.vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]];
+  };
+  const Vec3 w1 = as_written(0), w2 = as_written(1), w3 = as_written(2);
+  const Vec3 rise = rise_of(w1, w2, w3);
+  const Vec3 n1 = vertex_normal(0), n2 = vertex_normal(1), n3 = vertex_normal(2);
+  const Vec3 p1 = f32(w1), p2 = f32(w2), p3 = f32(w3);
+  const Vec3 from = p - p1;
+  const double u = dot(rise, from);
+  if (u < 1e-10) return n1;
+  const int m = dominant_axis(p3 - p2);
+  const double v = (from[m] / u + p1[m] - p2[m]) / (p3[m] - p2[m]);
+  return n1 + u * ((n2 - n1) + v * (n3 - n2));
+}
+
 }  // namespace
+
+Vec3 kept_vertex(const scene::MeshData& data, const scene::MeshTriangle& t, int corner) {
+  return f32(data.vertices[t.vertex[static_cast<std::size_t>(corner)]]);
+}
+
+// A triangle whose three normals are (almost) equal is flat and uses its geometric normal (spec 04 1.3).
+bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t) {
+  if (!t.smooth) return false;
+  for (const std::uint32_t n : t.normal) {
+    if (n >= data.normals.size()) return false;
+  }
+  const Vec3 n1 = normalize(data.normals[t.normal[0]]), n2 = normalize(data.normals[t.normal[1]]),
+             n3 = normalize(data.normals[t.normal[2]]);
+  const Vec3 d2 = n1 - n2, d3 = n1 - n3;
+  return dot(d2, d2) > 1e-10 || dot(d3, d3) > 1e-10;
+}
+
+Vec3 kept_normal(const scene::MeshData& data, const scene::MeshTriangle& t) {
+  return f32(plane_normal(data.vertices[t.vertex[0]], data.vertices[t.vertex[1]], data.vertices[t.vertex[2]]));
+}
+
+Vec3 smooth_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const Vec3& p) {
+  const Vec3 n = plane_normal(data.vertices[t.vertex[0]], data.vertices[t.vertex[1]], data.vertices[t.vertex[2]]);
+  return interpolated_normal(data, t, corners_of(data, t, axes_beside(dominant_axis(n))), p);
+}
 
 std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const scene::MeshData>& data) {
   struct Known {
@@ -142,35 +180,15 @@ const accel::Hierarchy& MeshGeometry::hierarchy() const {
 }
 
 std::array<int, 3> MeshGeometry::corners(std::uint32_t i) const {
-  const bool swap = turns_clockwise(vertex(i, 0), vertex(i, 1), vertex(i, 2), triangles_[i].axes());
-  return swap ? std::array<int, 3>{1, 0, 2} : std::array<int, 3>{0, 1, 2};
+  return corners_of(*data_, source(i), triangles_[i].axes());
 }
 
-Vec3 MeshGeometry::vertex(std::uint32_t i, int corner) const {
-  return f32(data_->vertices[source(i).vertex[static_cast<std::size_t>(corner)]]);
-}
+Vec3 MeshGeometry::vertex(std::uint32_t i, int corner) const { return kept_vertex(*data_, source(i), corner); }
 
 bool MeshGeometry::smooth(std::uint32_t i) const { return is_smooth(*data_, source(i)); }
 
 Vec3 MeshGeometry::smooth_normal(std::uint32_t i, const Vec3& p) const {
-  const scene::MeshTriangle& t = source(i);
-  const auto c = corners(i);
-  const auto vertex_normal = [&](int k) {
-    return f32(normalize(data_->normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]));
-  };
-  const auto as_written = [&](int k) {
-    return data_->vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]];
-  };
-  const Vec3 w1 = as_written(0), w2 = as_written(1), w3 = as_written(2);
-  const Vec3 rise = rise_of(w1, w2, w3);
-  const Vec3 n1 = vertex_normal(0), n2 = vertex_normal(1), n3 = vertex_normal(2);
-  const Vec3 p1 = f32(w1), p2 = f32(w2), p3 = f32(w3);
-  const Vec3 from = p - p1;
-  const double u = dot(rise, from);
-  if (u < 1e-10) return n1;
-  const int m = dominant_axis(p3 - p2);
-  const double v = (from[m] / u + p1[m] - p2[m]) / (p3[m] - p2[m]);
-  return n1 + u * ((n2 - n1) + v * (n3 - n2));
+  return interpolated_normal(*data_, source(i), corners(i), p);
 }
 
 Vec2 MeshGeometry::uv(std::uint32_t i, const Vec3& p) const {

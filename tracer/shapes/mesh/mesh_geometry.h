@@ -66,6 +66,13 @@ class MeshGeometry {
   mutable accel::Hierarchy hierarchy_;
 };
 
+// A triangle as it is kept in binary32: its corners, its normal, and whether it has normals of its own.
+Vec3 kept_vertex(const scene::MeshData& data, const scene::MeshTriangle& t, int corner);
+Vec3 kept_normal(const scene::MeshData& data, const scene::MeshTriangle& t);
+bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t);
+// Interpolated normal of a smooth triangle, not normalised.
+Vec3 smooth_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const Vec3& p);
+
 // The box of all vertices used by faces, rounded to binary32.
 Box3 mesh_vertex_box(const scene::MeshData& data);
 

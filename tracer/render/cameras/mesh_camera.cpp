@@ -1,27 +1,32 @@
 #include "tracer/render/cameras/mesh_camera.h"
 
+#include "tracer/shapes/mesh/mesh_geometry.h"
+
 namespace verisim::render {
 namespace {
 
 constexpr double kEdgeTolerance = 1e-9;
 
-const Vec3& vertex(const scene::MeshData& mesh, const scene::MeshTriangle& t, int i) {
-  return mesh.vertices[t.vertex[i]];
-}
-
-// The mesh's own front side (spec 04 1.4): (0,0,0), (1,0,0), (0,1,0) faces -z.
-Vec3 face_normal(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
-  const Vec3& b = vertex(mesh, t, 1);
-  return normalize(cross(vertex(mesh, t, 0) - b, vertex(mesh, t, 2) - b));
+// Summed up in binary32, in which meshes keep their corners.
+Vec3 centroid(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
+  const Vec3 a = shapes::kept_vertex(mesh, t, 0), b = shapes::kept_vertex(mesh, t, 1),
+             c = shapes::kept_vertex(mesh, t, 2);
+  Vec3 middle;
+  for (int k = 0; k < 3; ++k)
+    middle[k] = (static_cast<float>(a[k]) + static_cast<float>(b[k]) + static_cast<float>(c[k])) / 3.0f;
+  return middle;
 }
 
 // Barycentric weights of p in a 2-D triangle; false outside, where a weight is below -tolerance.
 bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, double tolerance, double weights[3]) {
-  const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  const auto twice_area = [](const Vec2& o, const Vec2& v, const Vec2& w) {
+    return (v.x - o.x) * (w.y - o.y) - (w.x - o.x) * (v.y - o.y);
+  };
+  const double area = twice_area(a, b, c);
   if (area == 0) return false;
-  weights[1] = ((p.x - a.x) * (c.y - a.y) - (c.x - a.x) * (p.y - a.y)) / area;
-  weights[2] = ((b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y)) / area;
-  weights[0] = 1 - weights[1] - weights[2];
+  weights[0] = twice_area(p, b, c) / area;
+  weights[1] = twice_area(p, c, a) / area;
+  weights[2] = twice_area(p, a, b) / area;
   return weights[0] >= -tolerance && weights[1] >= -tolerance && weights[2] >= -tolerance;
 }
 
@@ -50,7 +55,7 @@ std::optional<Ray> MeshCamera::ray(double x, double y, int k) const {
   if (!f) return std::nullopt;
   const scene::MeshData& mesh = *camera_.meshes[f->mesh];
   const scene::MeshTriangle& t = mesh.triangles[f->triangle];
-  return finished(f->mesh, (vertex(mesh, t, 0) + vertex(mesh, t, 1) + vertex(mesh, t, 2)) / 3.0, face_normal(mesh, t));
+  return finished(f->mesh, centroid(mesh, t), shapes::kept_normal(mesh, t));
 }
 
 std::optional<MeshCamera::Face> MeshCamera::face(double x, double y, int k) const {
@@ -83,12 +88,10 @@ std::optional<Ray> MeshCamera::by_uv(const Vec2& uv) const {
   if (!place) return std::nullopt;
   const scene::MeshData& mesh = *camera_.meshes.front();
   const scene::MeshTriangle& t = mesh.triangles[place->triangle];
-  Vec3 origin(0, 0, 0), normal(0, 0, 0);
-  for (int i = 0; i < 3; ++i) {
-    origin += vertex(mesh, t, i) * place->weights[i];
-    if (t.smooth) normal += mesh.normals[t.normal[i]] * place->weights[i];
-  }
-  return finished(0, origin, camera_.smooth && t.smooth ? normalize(normal) : face_normal(mesh, t));
+  Vec3 origin(0, 0, 0);
+  for (int i = 0; i < 3; ++i) origin += shapes::kept_vertex(mesh, t, i) * place->weights[i];
+  const bool smooth = camera_.smooth && shapes::is_smooth(mesh, t);
+  return finished(0, origin, smooth ? shapes::smooth_normal(mesh, t, origin) : shapes::kept_normal(mesh, t));
 }
 
 std::optional<MeshCamera::UvPlace> MeshCamera::uv_place(const Vec2& uv, double tolerance) const {

@@ -47,8 +47,8 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
   if (plain && finish.brilliance == 1.0f) {
     const float behind = !both_sides ? 0.0f : at.surface.double_illuminate ? finish.diffuse : finish.diffuse_back;
     add_light(state.gathered.photons,
-              {normal, raw, pigment, per_area, layer.opacity * std::max(finish.diffuse, 0.0f),
-               layer.opacity * std::max(behind, 0.0f)},
+              {normal, raw, pigment, per_area, shading::diffuse_share(layer.opacity, std::max(finish.diffuse, 0.0f)),
+               shading::diffuse_share(layer.opacity, std::max(behind, 0.0f))},
               sum);
     return sum;
   }

@@ -25,7 +25,7 @@ std::optional<LightFalloff> LightFalloff::of(const Light& light) {
 }
 
 void LightFalloff::attenuate(const RayBatch::Vectors& towards, const double* distance, int count,
-                             float* attenuation) const {
+                             double* attenuation) const {
   light_falloff_kernels().attenuate(*this, towards, distance, count, attenuation);
 }
 

@@ -19,7 +19,7 @@ struct LightFalloff {
   // None: not so simple.
   static std::optional<LightFalloff> of(const Light& light);
   // Of points with unit directions towards the light; room for whole registers behind the last.
-  void attenuate(const RayBatch::Vectors& towards, const double* distance, int count, float* attenuation) const;
+  void attenuate(const RayBatch::Vectors& towards, const double* distance, int count, double* attenuation) const;
 };
 
 // Sets the unit directions from points to the light's centre, and its distances. Points: to_light.origin.
@@ -47,7 +47,7 @@ struct LightFalloffKernels {
   void (*aim_at_grid)(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayBatch& to_light,
                       double* distance);
   void (*attenuate)(const LightFalloff& falloff, const RayBatch::Vectors& towards, const double* distance, int count,
-                    float* attenuation);
+                    double* attenuation);
 };
 // Those of any instruction set, for tests; null: this machine cannot run it.
 const LightFalloffKernels* light_falloff_kernels(int instruction_set);

@@ -99,9 +99,7 @@ void fade(double fade_distance, const double* distance, int end, double* a) {
   }
 }
 
-void attenuate(const LightFalloff& f, const RayBatch::Vectors& towards, const double* distance, int count,
-               float* attenuation) {
-  double a[RayBatch::kSize];
+void attenuate(const LightFalloff& f, const RayBatch::Vectors& towards, const double* distance, int count, double* a) {
   const int end = rounded(count);
   if (!f.spot)
     std::fill_n(a, end, 1.0);
@@ -113,7 +111,6 @@ void attenuate(const LightFalloff& f, const RayBatch::Vectors& towards, const do
     spot<2>(f, towards, distance, end, a);
   if (f.fades && f.power == 1) fade<1>(f.fade_distance, distance, end, a);
   if (f.fades && f.power == 2) fade<2>(f.fade_distance, distance, end, a);
-  for (int i = 0; i < end; ++i) attenuation[i] = static_cast<float>(a[i]);
 }
 
 constexpr LightFalloffKernels kKernels = {aim, aim_at_grid, attenuate};

@@ -36,7 +36,7 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
     ASSERT_TRUE(falloff.has_value());
     const int count = 1 + round % RayBatch::kMax;
     double distance[RayBatch::kSize], aimed_distance[RayBatch::kSize];
-    float found[RayBatch::kSize];
+    double found[RayBatch::kSize];
     for (int i = 0; i < count; ++i) {
       rays->origin.set(i, 5.0 * vector());
       const LightDirection to = light.direction(rays->origin.at(i));
@@ -50,7 +50,7 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
     kernels->attenuate(*falloff, rays->direction, distance, count, found);
     for (int i = 0; i < count; ++i) {
       const double expected = light.attenuation(rays->origin.at(i), {rays->direction.at(i), distance[i]});
-      ASSERT_EQ(found[i], static_cast<float>(expected)) << round << ' ' << i;
+      ASSERT_EQ(found[i], expected) << round << ' ' << i;
       ++(expected == 0 ? dark : expected < 1 ? dim : bright);
     }
   }

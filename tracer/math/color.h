@@ -42,6 +42,7 @@ struct Rgb {
   friend Rgb operator*(Rgb a, const Rgb& b) { return a *= b; }
   friend Rgb operator*(Rgb a, float s) { return a *= s; }
   friend Rgb operator*(float s, Rgb a) { return a *= s; }
+  friend Rgb operator/(const Rgb& a, float s) { return {a.r / s, a.g / s, a.b / s}; }
 
   // Luma as POV-Ray weighs it everywhere (spec 02, 06 section 1).
   float grey() const { return 0.297f * r + 0.589f * g + 0.114f * b; }

@@ -8,6 +8,7 @@
 #include "tracer/media/media_mixture.h"
 #include "tracer/media/media_refinement.h"
 #include "tracer/math/chi_square.h"
+#include "tracer/math/scaled.h"
 
 namespace verisim::global {
 namespace {
@@ -51,34 +52,32 @@ class Integrator {
   MediaSample sample(const MediaInterval& span, double at, bool inner_attenuation) {
     const double distance = span.start + at * span.length;
     const Vec3 p = ray_.at(distance);
-    Rgb extinction, emission, scattering;
+    Rgb extinction, source, scattering;
     for (const CompiledMedia* m : mixture_.media) {
       const Rgb d = media_density(*m, p);
       extinction += d * m->extinction;
       if (shadow_) continue;
-      if (m->emits) emission += d * m->description->emission;
+      if (m->emits) source += d * m->description->emission;
       if (m->scatters) scattering += d * m->description->scattering;
     }
-    const float s = static_cast<float>(span.length);
-    MediaSample result{Rgb(), extinction * s};
-    if (shadow_) return result;
-    result.source = (emission + scattered(p, distance, scattering, span.lit)) * s;
-    if (inner_attenuation) result.source *= transmitted(extinction * static_cast<float>(at * span.length));
-    return result;
+    const Rgb depth = scaled(extinction, span.length);
+    if (shadow_) return {Rgb(), depth};
+    add_scattered(p, distance, scattering, span.lit, source);
+    if (!inner_attenuation) return {scaled(source, span.length), depth};
+    return {source * scaled(transmitted(scaled(extinction, at * span.length)), span.length), depth};
   }
 
   // Photons are found everywhere, lights only in lit pieces.
-  Rgb scattered(const Vec3& p, double distance, const Rgb& scattering, bool lit) {
-    Rgb sum;
-    if (!mixture_.scatters || (scattering.max_abs() <= 0.0f && !environment_.replay())) return sum;
+  void add_scattered(const Vec3& p, double distance, const Rgb& scattering, bool lit, Rgb& sum) {
+    if (!mixture_.scatters || (scattering.max_abs() <= 0.0f && !environment_.replay())) return;
     for (const LitRange& light : intervals_.lit()) {
       if (!lit || distance < light.first || distance > light.last) continue;
       Vec3 to_light;
       const Rgb arriving = environment_.illumination(light.light, p, to_light);
-      if (arriving.max_abs() > 0.0f) sum += scattering * arriving * mixture_.mean_phase(dot(to_light, ray_.direction));
+      if (arriving.max_abs() > 0.0f)
+        sum += scaled(scattering, mixture_.mean_phase(dot(to_light, ray_.direction))) * arriving;
     }
     environment_.photons(p).add_scattered(mixture_, scattering, ray_.direction, sum);
-    return sum;
   }
 
   MediaSample interval(const MediaInterval& span) {
@@ -99,7 +98,7 @@ class Integrator {
     MediaSample sum;
     Rgb squares;
     int n = 0;
-    MediaSample mean() const { return sum * (1.0f / static_cast<float>(n)); }
+    MediaSample mean() const { return sum / static_cast<float>(n); }
   };
   void take(const MediaInterval& span, double at, Samples& to) {
     const MediaSample s = sample(span, at, true);
@@ -216,9 +215,9 @@ class Integrator {
       if (dims) add(count, density, m->extinction, depth);
       if (shines) add(count, density, m->description->emission, source);
     }
-    const float s = static_cast<float>(span.length);
     for (int i = 0; i < count; ++i)
-      samples[i] = {Rgb(source.r[i], source.g[i], source.b[i]) * s, Rgb(depth.r[i], depth.g[i], depth.b[i]) * s};
+      samples[i] = {scaled(Rgb(source.r[i], source.g[i], source.b[i]), span.length),
+                    scaled(Rgb(depth.r[i], depth.g[i], depth.b[i]), span.length)};
   }
   static void clear(int count, textures::RgbBatch& batch) {
     for (float* channel : {batch.r, batch.g, batch.b}) std::fill_n(channel, count, 0.0f);

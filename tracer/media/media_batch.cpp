@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "tracer/media/media_kernels.h"
+#include "tracer/math/scaled.h"
 #include "tracer/media/media_refinement.h"
 #include "tracer/lights/light_falloff.h"
 #include "tracer/shading/direct/shadow_batch.h"
@@ -59,7 +60,7 @@ struct MediaBatch::Workspace {
   // What is asked.
   Vec3 points[kMax];
   double distances[kMax];
-  textures::RgbBatch extinction, emission, scattering, source;
+  textures::RgbBatch extinction, scattering, source;  // source: emission, then what lights add
   MediaPacket packet;
   shading::ShadowBatch shadows;
   std::size_t question[kMax];  // of each lane
@@ -219,8 +220,7 @@ void MediaBatch::ask(std::span<const Question> questions, MediaSample* samples) 
     if (mixture_.varies) points.set(static_cast<int>(i), workspace_.points[i]);
   }
   if (mixture_.varies) points.fill_up(static_cast<int>(count));
-  clear(count, workspace_.extinction), clear(count, workspace_.emission), clear(count, workspace_.scattering),
-      clear(count, workspace_.source);
+  clear(count, workspace_.extinction), clear(count, workspace_.scattering), clear(count, workspace_.source);
   for (const CompiledMedia* m : mixture_.media) {
     textures::RgbBatch density;
     if (m->varies) {
@@ -232,7 +232,7 @@ void MediaBatch::ask(std::span<const Question> questions, MediaSample* samples) 
         density.r[i] = constant.r, density.g[i] = constant.g, density.b[i] = constant.b;
     }
     add(count, density, m->extinction, workspace_.extinction);
-    if (m->emits) add(count, density, m->description->emission, workspace_.emission);
+    if (m->emits) add(count, density, m->description->emission, workspace_.source);
     if (m->scatters) add(count, density, m->description->scattering, workspace_.scattering);
   }
   if (mixture_.scatters) {
@@ -248,8 +248,8 @@ void MediaBatch::ask(std::span<const Question> questions, MediaSample* samples) 
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const auto s = static_cast<float>(workspace_.intervals[questions[i].interval].span.length);
-    samples[i] = {(at(workspace_.emission, i) + at(workspace_.source, i)) * s, at(workspace_.extinction, i) * s};
+    const double length = workspace_.intervals[questions[i].interval].span.length;
+    samples[i] = {scaled(at(workspace_.source, i), length), scaled(at(workspace_.extinction, i), length)};
   }
 }
 
@@ -274,17 +274,17 @@ void MediaBatch::add_light(std::size_t number, std::span<const Question> questio
   if (count == 0) return;
   shading::aim_at(light, count, packet.to_light, packet.distance);
   // What arrives: nothing is asked where that is dark.
-  float attenuation[MediaPacket::kSize];
+  double attenuation[MediaPacket::kSize];
   if (const auto falloff = light.attenuates() ? shading::LightFalloff::of(light) : std::nullopt) {
     falloff->attenuate(packet.to_light.direction, packet.distance, count, attenuation);
   } else {
     for (int k = 0; k < count; ++k)
-      attenuation[k] = static_cast<float>(
-          light.attenuation(packet.to_light.origin.at(k), {packet.to_light.direction.at(k), packet.distance[k]}));
+      attenuation[k] =
+          light.attenuation(packet.to_light.origin.at(k), {packet.to_light.direction.at(k), packet.distance[k]});
   }
   int bright = 0;
   for (int k = 0; k < count; ++k) {
-    const Rgb color = light.color() * attenuation[k];
+    const Rgb color = scaled(light.color(), attenuation[k]);
     if (color.max_abs() < kDark) continue;
     packet.arriving.set(bright, color);
     if (bright != k) {

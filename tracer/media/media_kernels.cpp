@@ -53,15 +53,15 @@ void add_phase(const scene::Media& media, int count, MediaPacket& packet) {
   }
 }
 
-void scatter_channel(int end, const float* phase, const float* scattering, const float* arriving, float* to) {
-  for (int i = 0; i < end; ++i) to[i] = scattering[i] * arriving[i] * phase[i];
+void scatter_channel(int end, const double* phase, const float* scattering, const float* arriving, float* to) {
+  for (int i = 0; i < end; ++i) to[i] = static_cast<float>(scattering[i] * phase[i]) * arriving[i];
 }
 
 void scatter(int media, int count, MediaPacket& packet) {
-  float phase[MediaPacket::kSize];
+  double phase[MediaPacket::kSize];
   const double divisor = media;
   const int end = rounded(count);
-  for (int i = 0; i < end; ++i) phase[i] = static_cast<float>(packet.phase[i] / divisor);
+  for (int i = 0; i < end; ++i) phase[i] = packet.phase[i] / divisor;
   scatter_channel(end, phase, packet.scattering.r, packet.arriving.r, packet.scattered.r);
   scatter_channel(end, phase, packet.scattering.g, packet.arriving.g, packet.scattered.g);
   scatter_channel(end, phase, packet.scattering.b, packet.arriving.b, packet.scattered.b);

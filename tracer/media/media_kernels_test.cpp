@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "tracer/math/scaled.h"
 #include "tracer/media/media.h"
 #include "tracer/simd/instruction_sets.h"
 
@@ -47,8 +48,8 @@ TEST_P(MediaPacketOf, AreThoseOfEachPlace) {
       const Vec3 towards = lanes->to_light.direction.at(i);
       double sum = 0;
       for (const scene::Media& m : media) sum += phase(m, dot(towards, view[k]));
-      const auto mean = static_cast<float>(sum / static_cast<double>(media.size()));
-      ASSERT_EQ(lanes->scattered.at(i), scattering[k] * arriving[k] * mean) << round << ' ' << i;
+      const double mean = sum / static_cast<double>(media.size());
+      ASSERT_EQ(lanes->scattered.at(i), scaled(scattering[k], mean) * arriving[k]) << round << ' ' << i;
     }
   }
 }

@@ -23,10 +23,10 @@ MediaMixture::MediaMixture(std::span<const CompiledMedia* const> list)
   }
 }
 
-float MediaMixture::mean_phase(double cosine) const {
+double MediaMixture::mean_phase(double cosine) const {
   double sum = 0.0;
   for (const CompiledMedia* m : media) sum += m->scatters ? phase(*m->description, cosine) : 1.0;
-  return static_cast<float>(sum / static_cast<double>(media.size()));
+  return sum / static_cast<double>(media.size());
 }
 
 void MediaMixture::scatter(int count, MediaPacket& packet) const {

@@ -16,7 +16,7 @@ struct MediaMixture {
   explicit MediaMixture(std::span<const CompiledMedia* const> media);
   // Mean phase for the cosine between the directions to the light and of the view ray, over all media, also those
   // without scattering (isotropic).
-  float mean_phase(double cosine) const;
+  double mean_phase(double cosine) const;
   // Sets what is scattered of what arrives in the lanes.
   void scatter(int count, MediaPacket& packet) const;
 

@@ -18,7 +18,7 @@ struct MediaSample {
 inline MediaSample operator+(const MediaSample& a, const MediaSample& b) {
   return {a.source + b.source, a.depth + b.depth};
 }
-inline MediaSample operator*(const MediaSample& a, float s) { return {a.source * s, a.depth * s}; }
+inline MediaSample operator/(const MediaSample& a, float s) { return {a.source / s, a.depth / s}; }
 
 // exp(-optical depth)
 inline Rgb transmitted(const Rgb& optical_depth) {
@@ -38,26 +38,25 @@ inline double middle_of(double d1, double d3) { return 0.5 * (d1 + d3); }
 template <class Left, class Right>
 MediaSample mean_of_interval(const MediaSample& s1, const MediaSample& s2, const MediaSample& s3, int level,
                              double threshold, Left&& left, Right&& right) {
-  if (level <= 0) return (s1 + s2 + s3) * (1.0f / 3.0f);
-  const MediaSample before =
-      needs_refinement(s1, s2, threshold) ? left() * 0.5f : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
-  const MediaSample behind =
-      needs_refinement(s2, s3, threshold) ? right() * 0.5f : s2 * (1.0f / 6.0f) + s3 * (1.0f / 3.0f);
+  if (level <= 0) return (s1 + s2 + s3) / 3.0f;
+  const MediaSample before = needs_refinement(s1, s2, threshold) ? left() / 2.0f : s1 / 3.0f + s2 / 6.0f;
+  const MediaSample behind = needs_refinement(s2, s3, threshold) ? right() / 2.0f : s2 / 6.0f + s3 / 3.0f;
   return before + behind;
 }
 
 // The mean over an interval: interval(k) is that over interval k of its grid. A left Riemann rule for attenuation.
 template <class Subinterval>
 MediaSample mean_of_interval(int subintervals, Subinterval&& subinterval) {
-  const float share = 1.0f / static_cast<float>(subintervals);
+  const auto count = static_cast<float>(subintervals);
   MediaSample result;
   Rgb before;
   for (int k = 0; k < subintervals; ++k) {
     const MediaSample part = subinterval(k);
-    result.source += part.source * transmitted(before * share) * share;
+    result.source += part.source * transmitted(before / count);
     before += part.depth;
   }
-  result.depth = before * share;
+  result.source = result.source / count;
+  result.depth = before / count;
   return result;
 }
 

@@ -19,9 +19,9 @@ struct alignas(64) PhotonBatch {
 struct PhotonSurface {
   Vec3 normal, raw;  // to shade with; geometric
   Rgb pigment;
-  double per_area;      // one by the disc's area
-  float front, behind;  // opacity * diffuse coefficient on the side that is turned to a photon's light, and on the
-                        // other; 0: nothing is added
+  double per_area;       // one by the disc's area
+  double front, behind;  // opacity * diffuse coefficient on the side that is turned to a photon's light, and on the
+                         // other; 0: nothing is added
 };
 
 struct PhotonBatchKernels {

@@ -17,10 +17,10 @@ namespace HWY_NAMESPACE {
 // Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
 // branches.
 
-void shade_channel(std::size_t end, float pigment, const float* share, const float* intensity, float* energy) {
+void shade_channel(std::size_t end, float pigment, const double* share, const float* intensity, float* energy) {
   for (std::size_t i = 0; i < end; ++i) {
-    const float added = share[i] * pigment * (energy[i] * intensity[i]);
-    energy[i] = share[i] != 0.0f ? added : 0.0f;
+    const float added = static_cast<float>(share[i] * pigment) * (energy[i] * intensity[i]);
+    energy[i] = share[i] != 0 ? added : 0.0f;
   }
 }
 
@@ -28,12 +28,13 @@ void shade(const PhotonSurface& surface, std::size_t count, PhotonBatch& batch) 
   const Vec3 &n = surface.normal, &raw = surface.raw;
   const double front = surface.front, behind = surface.behind, per_area = surface.per_area;
   const std::size_t end = (count + 7) / 8 * 8;
-  float share[PhotonBatch::kMax], intensity[PhotonBatch::kMax];
+  double share[PhotonBatch::kMax];
+  float intensity[PhotonBatch::kMax];
   for (std::size_t i = 0; i < end; ++i) {
     const double cosine = n.x * batch.x[i] + n.y * batch.y[i] + n.z * batch.z[i];
     const double slant = raw.x * batch.x[i] + raw.y * batch.y[i] + raw.z * batch.z[i];
     intensity[i] = static_cast<float>(per_area / (slant > 0.1 ? slant : 0.1));
-    share[i] = static_cast<float>((cosine < kEpsilon ? behind : front) * std::fabs(cosine));
+    share[i] = (cosine < kEpsilon ? behind : front) * std::fabs(cosine);
   }
   shade_channel(end, surface.pigment.r, share, intensity, batch.r);
   shade_channel(end, surface.pigment.g, share, intensity, batch.g);

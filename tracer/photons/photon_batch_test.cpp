@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "tracer/math/scaled.h"
 #include "tracer/shading/finish.h"
 #include "tracer/simd/instruction_sets.h"
 
@@ -30,8 +31,12 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
   Case c;
   const float opacity = kind % 5 == 0 ? -0.3f : 0.8f, diffuse = kind % 3 == 1 ? 0.0f : 0.7f,
               back = kind % 2 == 0 ? 0.0f : 0.4f;
-  c.surface = {direction(),       direction(),   color(), static_cast<float>(3.7 + u(generator)),
-               opacity * diffuse, opacity * back};
+  c.surface = {direction(),
+               direction(),
+               color(),
+               static_cast<float>(3.7 + u(generator)),
+               shading::diffuse_share(opacity, diffuse),
+               shading::diffuse_share(opacity, back)};
   for (std::size_t i = 0; i < count; ++i) {
     Photon p;
     p.energy = Photon::encode(color());
@@ -42,8 +47,8 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
     const float coefficient = cosine < kEpsilon ? back : diffuse;
     const Rgb intensity = p.color() * static_cast<float>(c.surface.per_area / slant);
     c.expected.push_back(coefficient > 0
-                             ? static_cast<float>(shading::diffuse_share(opacity, coefficient, 1.0f, cosine)) *
-                                   c.surface.pigment * intensity
+                             ? scaled(c.surface.pigment, shading::diffuse_share(opacity, coefficient, 1.0f, cosine)) *
+                                   intensity
                              : Rgb());
   }
   return c;

@@ -1,6 +1,7 @@
 #include "tracer/shading/finish.h"
 
 #include "tracer/math/constants.h"
+#include "tracer/math/scaled.h"
 
 namespace verisim::shading {
 namespace {
@@ -30,8 +31,7 @@ double metallic_fresnel(double cosine) {
 }
 
 Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine) {
-  const auto m = static_cast<float>(metallic * (1 - metallic_fresnel(cosine)));
-  return {1 + m * (pigment.r - 1), 1 + m * (pigment.g - 1), 1 + m * (pigment.b - 1)};
+  return Rgb(1) + scaled(pigment - Rgb(1), metallic * (1 - metallic_fresnel(cosine)));
 }
 
 Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength) {
@@ -52,8 +52,8 @@ double fresnel_reflectance(double eta, double cosine) {
 Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta) {
   Rgb rho;
   if (reflection.fresnel) {
-    const auto f = static_cast<float>(fresnel_reflectance(eta, cosine));
-    rho = f * reflection.maximum + (1 - f) * reflection.minimum;
+    const double f = fresnel_reflectance(eta, cosine);
+    rho = scaled(reflection.maximum, f) + scaled(reflection.minimum, 1 - f);
   } else {
     double x = 1 - cosine;
     // A view that is perpendicular up to rounding makes POV-Ray's power of a negative base NaN; here it is 0 (spec
@@ -64,11 +64,15 @@ Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double
     } else if (std::fabs(x - 1) < kEpsilon) {
       rho = reflection.maximum;
     } else {
-      const auto f = static_cast<float>(x);
-      rho = f * reflection.maximum + (1 - f) * reflection.minimum;
+      rho = scaled(reflection.maximum, x) + scaled(reflection.minimum, 1 - x);
     }
   }
-  if (reflection.metallic != 0) rho *= metallic_tint(pigment, reflection.metallic, cosine);
+  if (reflection.metallic != 0) {
+    // Unlike the tint of highlights, that of mirrors is not rounded by itself.
+    const double m = reflection.metallic * (1 - metallic_fresnel(cosine));
+    const auto tinted = [m](float share, double color) { return static_cast<float>(share * (1 + m * (color - 1))); };
+    rho = {tinted(rho.r, pigment.r), tinted(rho.g, pigment.g), tinted(rho.b, pigment.b)};
+  }
   return rho;
 }
 

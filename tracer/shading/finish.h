@@ -53,13 +53,19 @@ inline float surface_opacity(const Color& c, int version) {
   return version < 370 ? 1.0f - (c.f * c.rgb().max() + c.t) : 1.0f - c.f - c.t;
 }
 
+// Ambient light and emission of a layer, each rounded by itself (spec 06 4.1).
+inline Rgb own_light(const scene::Finish& f, const Rgb& pigment, const Rgb& ambient_light, float opacity) {
+  return pigment * f.ambient * ambient_light * opacity + pigment * f.emission * opacity;
+}
+
 // How diffuse light falls off: abs(cosine)^brilliance.
 inline double brilliance(float exponent, double cosine) {
   return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent);
 }
-// How much of a light at this angle a layer reflects diffusely, but for crand.
+// How much of the light that falls straight upon a layer it reflects diffusely; at an angle, but for crand.
+inline double diffuse_share(float opacity, float diffuse) { return static_cast<double>(opacity) * diffuse; }
 inline double diffuse_share(float opacity, float diffuse, float exponent, double cosine) {
-  return opacity * diffuse * brilliance(exponent, cosine);
+  return diffuse_share(opacity, diffuse) * brilliance(exponent, cosine);
 }
 
 }  // namespace verisim::shading

@@ -3,6 +3,8 @@
 // lobes.
 #pragma once
 
+#include <array>
+
 #include "tracer/math/vec.h"
 #include "tracer/scene/texture.h"
 
@@ -35,12 +37,15 @@ inline double blinn_cosine(const Vec3& n, const Vec3& d, const Vec3& l) {
 inline double strength(const Highlight& highlight, double cosine) {
   return cosine <= highlight.dark_to ? 0 : highlight.amount * std::pow(cosine, highlight.exponent);
 }
-// Of both highlights together.
+// Of Phong's and of Blinn's, which light is multiplied by one after the other.
+inline std::array<double, 2> highlight_strengths(const scene::Finish& f, const Vec3& n, const Vec3& d, const Vec3& l) {
+  return {f.phong > 0 ? strength(phong_highlight(f), phong_cosine(n, d, l)) : 0,
+          f.specular > 0 ? strength(blinn_highlight(f), blinn_cosine(n, d, l)) : 0};
+}
+// Of both together.
 inline double highlight_strength(const scene::Finish& f, const Vec3& n, const Vec3& d, const Vec3& l) {
-  double sum = 0;
-  if (f.phong > 0) sum += strength(phong_highlight(f), phong_cosine(n, d, l));
-  if (f.specular > 0) sum += strength(blinn_highlight(f), blinn_cosine(n, d, l));
-  return sum;
+  const auto [phong, blinn] = highlight_strengths(f, n, d, l);
+  return phong + blinn;
 }
 
 }  // namespace verisim::shading

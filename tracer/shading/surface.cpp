@@ -173,7 +173,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
 
     const LayerContext context{layer, c, normal, surface_opacity(c, scene_.version), filter};
     if (observer_) observer_->layer(at, context, rho);
-    Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
+    Rgb own = own_light(finish, c.rgb(), scene_.ambient_light, context.opacity);
     // Subsurface first: the order in which radiosity is asked for decides where its samples are (replay).
     const auto indirect = [&](const char* effect, const Rgb& light) {
       if (observer_) observer_->indirect(effect, light);
@@ -186,7 +186,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
                                 RandomBranch::indirect(index, static_cast<int>(&layer - texture.layers.data())));
       indirect("radiosity", scene_.effects->indirect_light(*this, ray, at, context));
     }
-    own += direct_light(ray, at, context);
+    add_direct_light(ray, at, context, own);
     if (scene_.effects && scene_.effects->photons)
       indirect("photons", scene_.effects->photon_light(*this, ray, at, context));
     color += filter * own;

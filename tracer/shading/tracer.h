@@ -220,18 +220,19 @@ class Tracer {
   Color shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p);
 
   // ---- direct_light.cpp
-  Rgb direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer);
+  // Adds what lights add to a layer, one after another: what the layer sends out by itself comes first, as in POV-Ray.
+  void add_direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum);
   // All global lights may be asked with one row of shadow rays from the point.
   bool lights_go_together(const RayState& ray) const;
-  Rgb lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer);
+  void add_lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum);
   // What arrives before shadows are known; false: nothing that counts. `back`: on the side that faces away.
   bool locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache, bool& back) const;
-  Rgb light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
-                         CachedLight& cache);
+  void add_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache,
+                 Rgb& sum);
   void tell_light(const RayState& ray, const SurfaceHit& at, const LayerContext& layer, const Light& light,
                   const CachedLight& cache, const Rgb& added);
-  Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
-                        CachedLight& cache);
+  void add_area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                             CachedLight& cache, Rgb& sum);
   // The thickness of an iridescent film at a point, and the tint that it gives light.
   double film_thickness(const scene::Finish& finish, const Vec3& p) const;
   Rgb film_tint(const scene::Finish& finish, double thickness, double cosines) const;

@@ -1,5 +1,6 @@
 // What is seen through a surface and in it: entering and leaving interiors, refraction, dispersion, attenuation, mirror
 // rays (spec 06 sections 5 and 6).
+#include "tracer/math/scaled.h"
 #include "tracer/shading/dispersion.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/tracer.h"
@@ -108,7 +109,7 @@ Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLa
     sum += spectral_weight(i, n) *
            refracted_ray(ray, at, top, refraction, ratio, static_cast<float>(wavelength), weight, ignored).rgb();
   }
-  return {sum * (1.0f / static_cast<float>(n)), 0, 0};
+  return {sum / static_cast<float>(n), 0, 0};
 }
 
 Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight) {
@@ -162,11 +163,12 @@ Rgb Tracer::fade_factor(const InteriorRange& range, const scene::Interior& inter
   if (std::find(list.begin(), list.end(), &interior) == list.end()) return Rgb(1);
   const double s = distance / interior.fade_distance;
   const Rgb& c = interior.fade_color;
-  if (interior.fade_power >= 1000)
-    return {static_cast<float>(std::exp(-(1.0 - c.r) * s)), static_cast<float>(std::exp(-(1.0 - c.g) * s)),
-            static_cast<float>(std::exp(-(1.0 - c.b) * s))};
-  const auto f = static_cast<float>(1 / (1 + std::pow(s, static_cast<double>(interior.fade_power))));
-  return {c.r + (1 - c.r) * f, c.g + (1 - c.g) * f, c.b + (1 - c.b) * f};
+  const Rgb taken = Rgb(1) - c;
+  if (interior.fade_power < 1000)
+    return c + scaled(taken, 1 / (1 + std::pow(s, static_cast<double>(interior.fade_power))));
+  const Rgb depth = scaled(taken, s);
+  const auto passed = [](double x) { return static_cast<float>(std::exp(-x)); };
+  return {passed(depth.r), passed(depth.g), passed(depth.b)};
 }
 
 // The relative index that fresnel reflection takes; not the one of refraction (spec 06 5.2).

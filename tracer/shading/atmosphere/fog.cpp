@@ -49,8 +49,9 @@ void pass_fog(const scene::Fog& fog, double share, FogSegment& segment) {
   }
   const double width = length * (1 - share);
   const double clear = std::max<double>(std::exp(-width * density / fog.distance), fog.color.t);
-  const Rgb tint = fog.color.rgb() * fog.color.f + Rgb(1 - fog.color.f);
-  segment.effect.clear *= clear * Vec3(tint.r, tint.g, tint.b);
+  const Rgb filtered = fog.color.rgb() * fog.color.f;
+  const double unfiltered = 1 - static_cast<double>(fog.color.f);
+  segment.effect.clear *= clear * (Vec3(filtered.r, filtered.g, filtered.b) + Vec3(unfiltered));
   segment.effect.added += scaled(fog.color.rgb(), 1 - clear);
 }
 

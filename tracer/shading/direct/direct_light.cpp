@@ -1,38 +1,37 @@
 // Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2
 // and 8.3).
 #include "tracer/math/ray_batch.h"
+#include "tracer/math/scaled.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/direct/shadow_batch.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/noise/noise.h"
 
 namespace verisim::shading {
-namespace {}  // namespace
 
-Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
+void Tracer::add_direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum) {
   const scene::Finish& finish = layer.layer.finish;
-  Rgb sum;
-  if (!reflects_light(finish) || !ray.direct_light) return sum;
+  if (!reflects_light(finish) || !ray.direct_light) return;
+  const auto add = [&](const Light& light, CachedLight& cache) {
+    const Rgb before = sum;
+    add_light(ray, at, layer, light, cache, sum);
+    if (observer_) tell_light(ray, at, layer, light, cache, sum - before);
+  };
   if (!at.surface.ignore_global_lights && lights_go_together(ray)) {
-    sum = lights_together(ray, at, layer);
+    add_lights_together(ray, at, layer, sum);
   } else if (!at.surface.ignore_global_lights) {
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) {
       // Shadow rays may push onto the cache of nested hits: copy in, copy back.
       CachedLight cache;
       if (at.keeps_lights) cache = light_cache_[at.light_cache + i];
-      const Rgb added = light_contribution(ray, at, layer, scene_.lights()[i], cache);
-      if (observer_) tell_light(ray, at, layer, scene_.lights()[i], cache, added);
-      sum += added;
+      add(scene_.lights()[i], cache);
       if (at.keeps_lights) light_cache_[at.light_cache + i] = cache;
     }
   }
   for (const scene::LightSource* source : at.surface.group_lights()) {
     CachedLight cache;
-    const Rgb added = light_contribution(ray, at, layer, scene_.light_of(source), cache);
-    if (observer_) tell_light(ray, at, layer, scene_.light_of(source), cache, added);
-    sum += added;
+    add(scene_.light_of(source), cache);
   }
-  return sum;
 }
 
 void Tracer::tell_light(const RayState& ray, const SurfaceHit& at, const LayerContext& layer, const Light& light,
@@ -54,9 +53,9 @@ bool Tracer::lights_go_together(const RayState& ray) const {
   return lights_in_batches_ && scene_.global_lights() >= kMin && (ray.gather || !area_lights_) && !observer_;
 }
 
-// light_contribution() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may
+// add_light() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may
 // go at once.
-Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
+void Tracer::add_lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum) {
   struct Active {
     std::size_t light;
     CachedLight cache;
@@ -64,7 +63,6 @@ Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerCont
   };
   constexpr std::size_t kMax = RayBatch::kMax;
   const scene::Finish& finish = layer.layer.finish;
-  Rgb sum;
   Active active[kMax];
   RayBatch rays;
   double limit[RayBatch::kSize];
@@ -106,14 +104,13 @@ Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerCont
                             a.back ? finish.diffuse_back : finish.diffuse, highlights);
     }
   }
-  return sum;
 }
 
 bool Tracer::locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache,
                     bool& back) const {
   if (cache.stage == CachedLight::Stage::unknown) {
     cache.direction = light.direction(at.hit.point);
-    cache.color = light.color() * static_cast<float>(light.attenuation(at.hit.point, cache.direction));
+    cache.color = scaled(light.color(), light.attenuation(at.hit.point, cache.direction));
     cache.stage = CachedLight::Stage::located;
   }
   if (cache.color.max_abs() < kDark) return false;
@@ -122,25 +119,26 @@ bool Tracer::locate(SurfaceHit& at, const LayerContext& layer, const Light& ligh
   return !back || layer.layer.finish.diffuse_back != 0;
 }
 
-Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
-                               CachedLight& cache) {
-  if (light.area_illumination() && light.area() && !ray.gather) return area_illumination(ray, at, layer, light, cache);
+void Tracer::add_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                       CachedLight& cache, Rgb& sum) {
+  if (light.area_illumination() && light.area() && !ray.gather)
+    return add_area_illumination(ray, at, layer, light, cache, sum);
   bool back = false;
-  if (!locate(at, layer, light, cache, back)) return {};
+  if (!locate(at, layer, light, cache, back)) return;
   const scene::Finish& finish = layer.layer.finish;
   if (cache.stage == CachedLight::Stage::located) {
     const RandomBranch branch(random_, RandomBranch::light(static_cast<std::size_t>(&light - scene_.lights().data())));
     cache.color = shadowed(light, at.hit.point, cache.direction, ray, &at.surface, cache.color);
     cache.stage = CachedLight::Stage::shadowed;
   }
-  if (cache.color.max_abs() <= kDark) return {};
-  return layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color,
+  if (cache.color.max_abs() <= kDark) return;
+  sum += layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color,
                         back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
 }
 
 // Illumination from every sample of the grid; the shadow is one for all (spec 06 8.3).
-Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
-                              CachedLight& cache) {
+void Tracer::add_area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                                   CachedLight& cache, Rgb& sum) {
   const scene::Finish& finish = layer.layer.finish;
   const Vec3& p = at.hit.point;
   if (cache.stage != CachedLight::Stage::shadowed) {
@@ -148,17 +146,16 @@ Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerCo
     cache.color = shadowed(light, p, cache.direction, ray, &at.surface, light.color());
     cache.stage = CachedLight::Stage::shadowed;
   }
-  if (cache.color.max_abs() <= kDark) return {};
+  if (cache.color.max_abs() <= kDark) return;
   const Light::Axes axes = light.axes(cache.direction.towards);
-  const double share = 1.0 / (static_cast<double>(light.size1()) * light.size2());
-  Rgb sum;
+  const Rgb part = cache.color / (static_cast<float>(light.size1()) * static_cast<float>(light.size2()));
   for (int v = 0; v < light.size2(); ++v) {
     for (int u = 0; u < light.size1(); ++u) {
       double du = u, dv = v;
       if (light.source().jitter) du += random_.shading() - 0.5, dv += random_.shading() - 0.5;
       const Vec3 offset = light.offset(axes, du, dv);
       const LightDirection direction = light.direction(p, offset);
-      const Rgb color = cache.color * static_cast<float>(light.attenuation(p, direction, offset) * share);
+      const Rgb color = scaled(part, light.attenuation(p, direction, offset));
       bool back = false;
       if (!at.surface.double_illuminate && dot(layer.normal, direction.towards) < kEpsilon) {
         if (finish.diffuse_back == 0) continue;
@@ -168,7 +165,6 @@ Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerCo
                             back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
     }
   }
-  return sum;
 }
 
 Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
@@ -184,11 +180,9 @@ Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, cons
     sum += scaled(pigment, s) * intensity;
   }
   if (highlights && has_highlight(finish)) {
-    if (const double strength = highlight_strength(finish, layer.normal, view, l); strength != 0) {
-      Rgb color = scaled(intensity, strength);
-      if (finish.metallic > 0) color *= metallic_tint(pigment, finish.metallic, cosine);
-      sum += color;
-    }
+    const Rgb color = finish.metallic > 0 ? intensity * metallic_tint(pigment, finish.metallic, cosine) : intensity;
+    for (const double strength : highlight_strengths(finish, layer.normal, view, l))
+      if (strength != 0) sum += scaled(color, strength);
   }
   if (finish.irid > 0)
     sum *=
@@ -209,7 +203,7 @@ Rgb Tracer::film_tint(const scene::Finish& finish, double thickness, double cosi
 Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light) {
   const LightDirection direction = light.direction(p);
   to_light = direction.towards;
-  const Rgb color = light.color() * static_cast<float>(light.attenuation(p, direction));
+  const Rgb color = scaled(light.color(), light.attenuation(p, direction));
   return color.max_abs() < kDark ? Rgb() : shadowed(light, p, direction, ray, nullptr, color);
 }
 

@@ -49,10 +49,10 @@ void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Col
     packet_.exponent[k] = m.highlight.exponent, packet_.amount[k] = m.highlight.amount,
     packet_.dark_to[k] = m.highlight.dark_to, packet_.phong[k] = (m.lobes & kPhong) != 0;
   }
-  packet_.front[k] = opacity * std::max(finish.diffuse, 0.0f),
-  packet_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
+  packet_.front[k] = diffuse_share(opacity, std::max(finish.diffuse, 0.0f)),
+  packet_.behind[k] = diffuse_share(opacity, std::max(finish.diffuse_back, 0.0f));
   packet_.pigment.r[k] = color.r, packet_.pigment.g[k] = color.g, packet_.pigment.b[k] = color.b;
-  Rgb own = color.rgb() * m.glow * opacity;
+  Rgb own = own_light(finish, color.rgb(), scene_.ambient_light, opacity);
   if (indirect_) {
     begin_branch(i, RandomBranch::indirect(texture, part->index));
     own += scene_.effects->indirect_light(tracer_, ray_state(i), *met_[i].at, layer_context(*part));
@@ -90,10 +90,10 @@ bool Wavefront::reach(const Light& light) {
     falloff->attenuate(packet_.to_light.direction, packet_.distance, count_, packet_.attenuation);
   } else if (light.attenuates()) {
     for (int k = 0; k < count_; ++k)
-      packet_.attenuation[k] = static_cast<float>(
-          light.attenuation(packet_.to_light.origin.at(k), {packet_.to_light.direction.at(k), packet_.distance[k]}));
+      packet_.attenuation[k] =
+          light.attenuation(packet_.to_light.origin.at(k), {packet_.to_light.direction.at(k), packet_.distance[k]});
   } else if (attenuated_) {
-    std::fill_n(packet_.attenuation, kMax, 1.0f);
+    std::fill_n(packet_.attenuation, kMax, 1.0);
   }
   attenuated_ = light.attenuates();
   if (!kernels_.receive(light.color(), light.highlights() && !state_.gather, count_, packet_)) return false;
@@ -156,7 +156,7 @@ void Wavefront::evaluate_lobes() {
   if (kernels_.evaluate_lobes(lobes_ & kPhong, lobes_ & kBlinn, count_, packet_)) {
     for (int k = 0; k < count_; ++k)
       if (packet_.uncertain[k] && packet_.lit[k] != 0 && packet_.amount[k] * packet_.shines[k] != 0)
-        packet_.strength[k] = highlight(k);
+        packet_.strength[k] = highlights(k)[material_[k]->lobes & kPhong ? 0 : 1];
   }
   if (lobes_ & (kBothHighlights | kBrilliance)) evaluate_special_lobes();
   if ((lobes_ & kFilm) || filmed_) tint_by_films();
@@ -177,22 +177,26 @@ void Wavefront::tint_by_films() {
 // What the wide instructions do not know.
 void Wavefront::evaluate_special_lobes() {
   for (int k = 0; k < count_; ++k) {
+    packet_.second[k] = 0;
     if (packet_.lit[k] == 0) continue;
     if ((material_[k]->lobes & kBrilliance) && packet_.diffuse[k] != 0)
       packet_.scattered[k] = packet_.diffuse[k] * brilliance(finish_[k]->brilliance, packet_.cosine[k]);
-    if ((material_[k]->lobes & kBothHighlights) && packet_.shines[k] != 0) packet_.strength[k] = highlight(k);
+    if ((material_[k]->lobes & kBothHighlights) && packet_.shines[k] != 0) {
+      const auto [phong, blinn] = highlights(k);
+      packet_.strength[k] = phong, packet_.second[k] = blinn;
+    }
   }
 }
 
-double Wavefront::highlight(int k) const {
-  return highlight_strength(*finish_[k], packet_.normal.at(k), packet_.view.at(k), packet_.to_light.direction.at(k));
+std::array<double, 2> Wavefront::highlights(int k) const {
+  return highlight_strengths(*finish_[k], packet_.normal.at(k), packet_.view.at(k), packet_.to_light.direction.at(k));
 }
 
 void Wavefront::light(const Light& light) {
   aim(light);
   if (!reach(light)) return;
   evaluate_lobes();
-  kernels_.add(count_, packet_);
+  kernels_.add(lobes_ & kBothHighlights, count_, packet_);
 }
 
 // What a texture shows whose layers are lit in the lanes from `lane` on; moves to the lane behind them.
@@ -242,10 +246,9 @@ void Wavefront::add_photons() {
 
 // Lights the surfaces that were added, and writes their colours.
 void Wavefront::show(Color* out) {
-  for (float* sum : {packet_.direct.r, packet_.direct.g, packet_.direct.b}) std::fill_n(sum, count_, 0.0f);
+  packet_.direct = packet_.own;
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i]);
-  kernels_.add_own(count_, packet_);
   if (photons_) add_photons();
   if (leaves_.empty()) {  // plain surfaces alone
     for (int k = 0; k < count_; ++k)

@@ -55,7 +55,6 @@ class Wavefront {
     bool plain = false;  // constant, alone, without a mirror or a normal of its own
     Color color;
     float opacity = 0;    // of the constant colour
-    Rgb glow;             // ambient and emission
     Highlight highlight;  // Phong's, or where there is none Blinn's
     unsigned lobes = 0;   // how it responds to light, as bits
   };
@@ -164,7 +163,7 @@ class Wavefront {
   void evaluate_lobes();
   void evaluate_special_lobes();
   void tint_by_films();
-  double highlight(int k) const;
+  std::array<double, 2> highlights(int k) const;  // Phong's and Blinn's
 
   Tracer& tracer_;
   const SceneData& scene_;

@@ -55,8 +55,9 @@ bool receive(const Rgb& light, bool highlights, int count, WavefrontPacket& pack
   const double shining = highlights ? 1 : 0;
   std::int32_t any = 0;
   for (int i = 0; i < count; ++i) {
-    const float a = packet.attenuation[i];
-    packet.intensity.r[i] = r * a, packet.intensity.g[i] = g * a, packet.intensity.b[i] = b * a;
+    const double a = packet.attenuation[i];
+    packet.intensity.r[i] = static_cast<float>(r * a), packet.intensity.g[i] = static_cast<float>(g * a),
+    packet.intensity.b[i] = static_cast<float>(b * a);
   }
   for (int i = 0; i < count; ++i) {
     const bool back = (packet.cosine[i] < kEpsilon) & (packet.two_sided[i] == 0);
@@ -95,8 +96,8 @@ void highlight_bases(bool phong, bool blinn, int end, WavefrontPacket& packet, d
   for (int i = 0; i < end; ++i) base[i] = base[i] <= packet.dark_to[i] ? 0 : base[i];
 }
 
-// amount * base^exponent, for its product with the intensity in single precision. The power is computed to more digits
-// than binary32 has; where its error might change the rounding, `uncertain` says so (Ziv, "Fast evaluation of
+// amount * base^exponent, for its product with the tinted intensity in single precision. The power is computed to more
+// digits than binary32 has; where its error might change the rounding, `uncertain` says so (Ziv, "Fast evaluation of
 // elementary mathematical functions with correctly rounded last bit", 1991).
 std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
   constexpr double kSmallest = -690;  // of a logarithm: binary32 has 0 long before
@@ -115,8 +116,9 @@ std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
     };
     packet.strength[i] = value;
     // What is darker than the smallest numbers is 0; what is dark on purpose, too.
-    const bool known = same(packet.intensity.r[i]) & same(packet.intensity.g[i]) & same(packet.intensity.b[i]) &
-                       (in_range | (t <= kSmallest)) & (bright | (m <= 0));
+    const bool known = same(packet.intensity.r[i] * packet.tint.r[i]) & same(packet.intensity.g[i] * packet.tint.g[i]) &
+                       same(packet.intensity.b[i] * packet.tint.b[i]) & (in_range | (t <= kSmallest)) &
+                       (bright | (m <= 0));
     packet.uncertain[i] = known ? 0 : 1;
     any |= known ? 0 : 1;
   }
@@ -135,33 +137,36 @@ bool evaluate_lobes(bool phong, bool blinn, int count, WavefrontPacket& packet) 
   return raise(end, base, packet) != 0;
 }
 
+template <bool kSecond>
 void add_channel(int end, const WavefrontPacket& packet, const float* pigment, const float* intensity,
                  const float* tint, const float* film, float* direct) {
   for (int i = 0; i < end; ++i) {
-    const float added = static_cast<float>(packet.scattered[i] * pigment[i]) * intensity[i] +
-                        static_cast<float>(packet.strength[i] * intensity[i]) * tint[i];
+    const float shining = intensity[i] * tint[i];
+    float added = static_cast<float>(packet.scattered[i] * pigment[i]) * intensity[i] +
+                  static_cast<float>(packet.strength[i] * shining);
+    if constexpr (kSecond) added += static_cast<float>(packet.second[i] * shining);
     direct[i] = packet.lit[i] != 0 ? direct[i] + added * film[i] : direct[i];
   }
 }
 
-void add(int count, WavefrontPacket& packet) {
-  const int end = rounded(count);
-  add_channel(end, packet, packet.pigment.r, packet.intensity.r, packet.tint.r, packet.film.r, packet.direct.r);
-  add_channel(end, packet, packet.pigment.g, packet.intensity.g, packet.tint.g, packet.film.g, packet.direct.g);
-  add_channel(end, packet, packet.pigment.b, packet.intensity.b, packet.tint.b, packet.film.b, packet.direct.b);
+template <bool kSecond>
+void add_light(int end, WavefrontPacket& packet) {
+  add_channel<kSecond>(end, packet, packet.pigment.r, packet.intensity.r, packet.tint.r, packet.film.r,
+                       packet.direct.r);
+  add_channel<kSecond>(end, packet, packet.pigment.g, packet.intensity.g, packet.tint.g, packet.film.g,
+                       packet.direct.g);
+  add_channel<kSecond>(end, packet, packet.pigment.b, packet.intensity.b, packet.tint.b, packet.film.b,
+                       packet.direct.b);
 }
 
-void add_own(int count, WavefrontPacket& packet) {
-  const int end = rounded(count);
-  const auto channel = [end](const float* own, float* direct) {
-    for (int i = 0; i < end; ++i) direct[i] = own[i] + direct[i];
-  };
-  channel(packet.own.r, packet.direct.r);
-  channel(packet.own.g, packet.direct.g);
-  channel(packet.own.b, packet.direct.b);
+void add(bool second, int count, WavefrontPacket& packet) {
+  if (second)
+    add_light<true>(rounded(count), packet);
+  else
+    add_light<false>(rounded(count), packet);
 }
 
-const WavefrontKernels kKernels = {directions, face, receive, illuminate, evaluate_lobes, add, add_own};
+const WavefrontKernels kKernels = {directions, face, receive, illuminate, evaluate_lobes, add};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

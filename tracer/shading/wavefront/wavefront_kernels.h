@@ -24,8 +24,8 @@ struct alignas(64) WavefrontPacket {
 
   // The surfaces that are lit: a denser numbering than that of the rays.
   Vectors normal, view;
-  Colors pigment, own, direct;  // the surface's own light; the sum of what lights add
-  Floats front, behind;  // opacity * diffuse coefficient on the side that is turned to the light, and on the other
+  Colors pigment, own, direct;  // the surface's own light; its sum with what lights add
+  Doubles front, behind;  // opacity * diffuse coefficient on the side that is turned to the light, and on the other
   std::int32_t lit_behind[kMax], two_sided[kMax],
       dull[kMax];                     // flags: diffuse_back counts; both sides are front sides; nothing reflects light
   Doubles exponent, amount, dark_to;  // the highlight (highlights.h); amount 0: none
@@ -34,14 +34,14 @@ struct alignas(64) WavefrontPacket {
   // One light on these surfaces.
   RayBatch to_light;  // from the point on the surface
   Doubles distance, cosine;
-  Floats attenuation;            // of the light on its way
+  Doubles attenuation;           // of the light on its way
   std::int32_t active[kMax];     // 1: the light counts where nothing is in its way
   Colors intensity, tint, film;  // what arrives; how metals tint the highlight, and iridescence all of it
-  Floats diffuse;                // opacity * coefficient; 0: none
+  Doubles diffuse;               // opacity * coefficient; 0: none
   Floats lit;                    // 1 or 0
   Doubles shines;                // 1 or 0: with highlights
   Doubles scattered;             // diffuse factor
-  Doubles strength;              // highlight
+  Doubles strength, second;      // highlight; Blinn's where there is Phong's, too
   std::int32_t uncertain[kMax];  // not 0: the last bit of what `strength` makes of the intensity is not known
 };
 
@@ -60,13 +60,11 @@ struct WavefrontKernels {
   bool (*receive)(const Rgb& light, bool highlights, int count, WavefrontPacket& packet);
   // Sets lit where what was asked for is not dark. False: nowhere.
   bool (*illuminate)(int count, WavefrontPacket& packet);
-  // Sets scattered, strength and uncertain. False: nothing is uncertain. `phong`, `blinn`: some lane has such a
-  // highlight.
+  // Sets scattered, strength and uncertain from intensity and tint. False: nothing is uncertain. `phong`, `blinn`: some
+  // lane has such a highlight.
   bool (*evaluate_lobes)(bool phong, bool blinn, int count, WavefrontPacket& packet);
-  // Adds the light of lit lanes to direct.
-  void (*add)(int count, WavefrontPacket& packet);
-  // Adds the surfaces' own light to direct.
-  void (*add_own)(int count, WavefrontPacket& packet);
+  // Adds the light of lit lanes to direct. `second`: some lane has a second highlight.
+  void (*add)(bool second, int count, WavefrontPacket& packet);
 };
 
 // Those of the best instruction set of this machine.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <random>
 
+#include "tracer/math/scaled.h"
 #include "tracer/effects/scene_effects.h"
 #include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/shading/finish.h"
@@ -98,16 +99,16 @@ TEST_P(WavefrontKernel, WhatArrivesIsAskedForWhereItCounts) {
     const bool highlights = round % 2 == 0;
     for (int i = 0; i < WavefrontPacket::kMax; ++i) {
       packet->cosine[i] = i % 5 == 0 ? 0 : number(random);
-      packet->front[i] = static_cast<float>(number(random)), packet->behind[i] = static_cast<float>(number(random));
+      packet->front[i] = number(random), packet->behind[i] = number(random);
       packet->two_sided[i] = i % 3 == 0, packet->lit_behind[i] = i % 4 == 0, packet->dull[i] = i % 11 == 0;
-      packet->attenuation[i] = i % 7 == 0 ? 1e-12f : static_cast<float>(std::fabs(number(random)));
+      packet->attenuation[i] = i % 7 == 0 ? 1e-12 : std::fabs(number(random));
     }
     const int count = 1 + round % WavefrontPacket::kMax;
     bool any = false;
     const bool received = kernels->receive(light, highlights, count, *packet);
     for (int i = 0; i < count; ++i) {
       const bool back = packet->cosine[i] < kEpsilon && packet->two_sided[i] == 0;
-      const Rgb color = light * packet->attenuation[i];
+      const Rgb color = scaled(light, packet->attenuation[i]);
       const bool expected = !(back && packet->lit_behind[i] == 0) && packet->dull[i] == 0 &&
                             !(color.max_abs() < static_cast<float>(kEpsilon));
       ASSERT_EQ(packet->active[i], expected) << i;

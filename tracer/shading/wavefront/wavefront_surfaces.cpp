@@ -40,7 +40,6 @@ Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& 
     m.only = texture.layers.size() == 1;
     m.mirror = is_mirror(f);
     m.color = layer.pigment->color;
-    m.glow = f.ambient * scene_.ambient_light + f.emission;
     m.highlight = f.phong > 0 ? phong_highlight(f) : f.specular > 0 ? blinn_highlight(f) : Highlight{};
     m.lobes = (f.phong > 0      ? kPhong
                : f.specular > 0 ? kBlinn
@@ -50,7 +49,8 @@ Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& 
     m.opacity = surface_opacity(m.color, scene_.version);
     m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ &&
               !photons_ && is_finite(m.color.rgb()) && !(m.lobes & kFilm);
-    const bool finite = is_finite(m.glow) && std::fabs(m.highlight.exponent) < 1e6 && m.highlight.amount < 1e30 &&
+    const bool finite = is_finite(f.ambient * scene_.ambient_light) && is_finite(f.emission) &&
+                        std::fabs(m.highlight.exponent) < 1e6 && m.highlight.amount < 1e30 &&
                         std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
     if (!finite) return {};
   }

@@ -116,9 +116,9 @@ class Integrator {
     const double top = chi_square_quantile(maximum - 1, control_->confidence);
     while (to.n <= maximum) {
       const double threshold = control_->variance * chi_square_quantile(to.n, control_->confidence) / top;
-      const float inverse = 1.0f / static_cast<float>(to.n);
-      const Rgb mean = to.sum.source * inverse;
-      const Rgb variance = (to.squares * inverse - mean * mean) * inverse;
+      const auto n = static_cast<float>(to.n);
+      const Rgb mean = to.sum.source / n;
+      const Rgb variance = (to.squares / n - mean * mean) / n;
       if (variance.r < threshold && variance.g < threshold && variance.b < threshold) break;
       take(span, environment_.random(), to);
     }

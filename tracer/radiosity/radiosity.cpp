@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracer/math/constants.h"
+#include "tracer/math/scaled.h"
 
 namespace verisim::global {
 namespace {
@@ -143,7 +144,7 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
     for (int i = 0; i < count; ++i) {
       if (!(batch.weight[i] > IrradianceBatch::kNone)) continue;
       const double weight = batch.weight[i] * samples[i]->quality;
-      estimate.sum += samples[i]->irradiance * static_cast<float>(weight);
+      estimate.sum += scaled(samples[i]->irradiance, weight);
       estimate.weight += weight;
     }
     count = 0;
@@ -176,14 +177,13 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, FinalGatherer& gather
   Rgb result;
   const bool enough = 4.0 * estimate.weight >= required || (!pretrace_ && !d.always_sample && estimate.weight > 0.0);
   if (enough) {
-    result = estimate.sum * static_cast<float>(1.0 / estimate.weight);
+    result = scaled(estimate.sum, 1.0 / estimate.weight);
   } else {
     shading::FinalGatherNotes of_sample;
     const Rgb sample = take_sample(query, gatherer, of_sample);
     const double total = estimate.weight + of_sample.quality;
-    result = estimate.weight > 0.0 && total > 0.0
-                 ? (estimate.sum + sample * of_sample.quality) * static_cast<float>(1.0 / total)
-                 : sample;
+    result =
+        estimate.weight > 0.0 && total > 0.0 ? scaled(estimate.sum + sample * of_sample.quality, 1.0 / total) : sample;
     estimate.weight = total;
     notes.quality = std::max(notes.quality, of_sample.quality);
     notes.importance = of_sample.importance;

@@ -284,7 +284,7 @@ class RecursiveQuads {
     for (int a = 0; levels > 0 && a < 3; ++a)
       for (int b = a + 1; b < 4; ++b)
         differ = differ || corner[a].compared.differs(corner[b].compared, settings_.threshold);
-    if (!differ) return (corner[0].color + corner[1].color + corner[2].color + corner[3].color) * 0.25f;
+    if (!differ) return (corner[0].color + corner[2].color + corner[1].color + corner[3].color) * 0.25f;
     const int half = size / 2;
     ask(i, j + half), ask(i + half, j), ask(i + size, j + half), ask(i + half, j + size), ask(i + half, j + half);
     trace_waiting();

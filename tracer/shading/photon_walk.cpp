@@ -51,8 +51,7 @@ void PhotonWalk::follow(const Packet& packet) {
   if (!goes_on(packet)) return;
   shapes::Hit hit;
   const auto kind = packet.ray.reflected ? shapes::RayKind::reflected : shapes::RayKind::photon;
-  if (tracer_.scene_.world.intersect(packet.ray.ray, kind, kNearestHit, std::numeric_limits<double>::infinity(), hit))
-    meet(packet, hit);
+  if (tracer_.scene_.world.intersect(packet.ray.ray, kind, kNearestHit, accel::kFarthestHit, hit)) meet(packet, hit);
 }
 
 void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {

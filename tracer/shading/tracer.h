@@ -65,12 +65,11 @@ class Tracer {
   Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel = nullptr);
 
   // Traces a ray; colour with t = see-through. t_max limits the search for the first surface (mesh_camera).
-  Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity(),
-              const accel::WorldEntry* entry = nullptr);
+  Color trace(const RayState& ray, double t_max = accel::kFarthestHit, const accel::WorldEntry* entry = nullptr);
   // The two halves of trace, for callers that need to know what was hit: the nearest surface this ray sees, and what it
   // looks like (null: nothing hit).
-  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4,
-               double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr) const;
+  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4, double t_max = accel::kFarthestHit,
+               const accel::WorldEntry* entry = nullptr) const;
   Color resolve(const RayState& ray, const shapes::Hit* hit);
   // The same of a ray that is not cut_off(), but for the media and volumes on its way to the surface.
   Color resolve_surface(const RayState& ray, const shapes::Hit& hit);
@@ -105,7 +104,7 @@ class Tracer {
   void set_observer(Observer* observer) { observer_ = observer; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
   // `entry`: where it enters the world, if known.
-  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity(),
+  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = accel::kFarthestHit,
                      const accel::WorldEntry* entry = nullptr);
 
   // The state of such a ray, before it is traced.

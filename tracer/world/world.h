@@ -56,6 +56,8 @@ namespace verisim::accel {
 using shapes::Hit;
 using shapes::RayKind;
 
+inline constexpr double kFarthestHit = 2e10;  // what POV-Ray finds behind it is no hit
+
 class Bvh;
 class Shaft;
 

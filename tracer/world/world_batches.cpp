@@ -165,7 +165,7 @@ class World::BatchSearch {
     if (t_max)
       std::copy_n(t_max, kLanes, limit_);
     else
-      std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
+      std::fill_n(limit_, kLanes, kFarthestHit);
   }
 
   unsigned found() const { return found_; }
@@ -288,8 +288,7 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
     const int rest = std::min(kLanes, first + count - start);
     if (rest < kMin) {
       for (int i = start; i < start + rest; ++i)
-        found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : std::numeric_limits<double>::infinity(),
-                             hits[i], entry);
+        found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : kFarthestHit, hits[i], entry);
       return;
     }
     BatchSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, t_max ? t_max + start : nullptr, hits + start);
@@ -302,7 +301,7 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
     search.test_unbounded(false);
     search.test_around();
     each_lane(search.coincident(), [&](int k) {
-      const double far = t_max ? t_max[start + k] : std::numeric_limits<double>::infinity();
+      const double far = t_max ? t_max[start + k] : kFarthestHit;
       w.settle(rays.at(start + k), k, far, search.coincidences(), hits[start + k]);
     });
     for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;

@@ -50,7 +50,7 @@ void CameraModel::find_coherence(int width, int height) {
 }
 
 double CameraModel::limit() const {
-  return mesh && camera.max_distance >= kEpsilon ? camera.max_distance : std::numeric_limits<double>::infinity();
+  return mesh && camera.max_distance >= kEpsilon ? camera.max_distance : accel::kFarthestHit;
 }
 
 // Rays of linear cameras are spanned by those of the corners.
@@ -183,7 +183,7 @@ void PixelSampler::point_wavefront(int count, Color* colors) {
 
 Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {
   if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
-  return tracer_.trace_camera(ray, starts_differ_, std::numeric_limits<double>::infinity(), entry);
+  return tracer_.trace_camera(ray, starts_differ_, accel::kFarthestHit, entry);
 }
 
 void PixelSampler::other_points(int count, Color* colors) {

@@ -5,6 +5,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include "tracer/math/scaled.h"
 #include "tracer/media/media.h"
 
 namespace verisim::global {
@@ -174,7 +175,7 @@ int cost_of(const scene::Density& density) {
 CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler) {
   CompiledMedia m;
   m.description = &description;
-  m.extinction = description.absorption + description.scattering * static_cast<float>(description.extinction);
+  m.extinction = description.absorption + scaled(description.scattering, description.extinction);
   m.emits = description.emission.max_abs() > 0.0f;
   m.scatters = description.scattering.max_abs() > 0.0f;
   std::vector<int> costs;

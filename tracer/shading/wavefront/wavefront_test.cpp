@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tracer/effects/scene_effects.h"
+#include "tracer/math/scaled.h"
 #include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/shading/finish.h"
 #include "tracer/lights/light_falloff.h"
@@ -319,15 +320,14 @@ TEST(Wavefront, LooksForLightInSpace) {
       batch.count = 0;
       for (const Vec3& p : points) {
         const LightDirection to = light.direction(p);
-        batch.add({p, to.towards}, to.distance, light.color() * static_cast<float>(light.attenuation(p, to)), nullptr,
-                  0);
+        batch.add({p, to.towards}, to.distance, scaled(light.color(), light.attenuation(p, to)), nullptr, 0);
       }
       bool known[ShadowBatch::kMax];
       tracer.look_for_light(light, eye, batch, known);
       for (std::size_t i = 0; i < points.size(); ++i) {
         Vec3 to_light;
         const Rgb alone = tracer.light_at(light, points[i], eye, to_light),
-                  free = light.color() * static_cast<float>(light.attenuation(points[i], light.direction(points[i])));
+                  free = scaled(light.color(), light.attenuation(points[i], light.direction(points[i])));
         ASSERT_TRUE(known[i]);
         if (free.max_abs() < 1e-4f) continue;  // not asked for
         ASSERT_EQ(batch.light[i], alone);

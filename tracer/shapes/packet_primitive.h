@@ -45,7 +45,9 @@ class KernelPrimitive : public Primitive<Derived> {
 // A shape that looks for the nearest hits of a packet step by step. It writes
 //   template <class HitOf> unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max,
 //                                                     HitOf&& hit_of, bool any) const;
-// which puts the hit of lane k into hit_of(k); `any`: any hit will do.
+// which puts the hit of lane k into hit_of(k); `any`: any hit will do. It may write
+//   void hits_of_packet(const RayPacket& rays, const double* from, const double* to, LaneHits& hits) const;
+// for intersect_packet_between.
 template <class Derived>
 class SearchPrimitive : public Primitive<Derived> {
  public:
@@ -61,6 +63,13 @@ class SearchPrimitive : public Primitive<Derived> {
     Hit hit;
     return derived().nearest_of_packet(
         rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  }
+
+  void intersect_packet_between(const RayPacket& rays, RayKind kind, const double* from, const double* to,
+                                LaneHits& hits) const override {
+    if constexpr (requires { derived().hits_of_packet(rays, from, to, hits); })
+      if (derived().takes_packets()) return derived().hits_of_packet(rays, from, to, hits);
+    Shape::intersect_packet_between(rays, kind, from, to, hits);
   }
 
   // False: one ray is asked after another.

@@ -36,6 +36,10 @@ struct Guards {
   unsigned admit(const RayPacket& rays) const;
 };
 
+inline std::span<const std::unique_ptr<Shape>> clips_of(const Guards* guards) {
+  return guards ? std::span<const std::unique_ptr<Shape>>(guards->clips) : std::span<const std::unique_ptr<Shape>>();
+}
+
 // The clip objects of the unions that a shape is part of, innermost first.
 struct Clips {
   const Guards& guards;
@@ -180,6 +184,7 @@ class Primitive : public Shape {
     const Vec3 n = derived().geometric_normal(hit);
     return inverted_ ? -n : n;
   }
+  std::span<const std::unique_ptr<Shape>> clips() const final { return clips_of(guards_.get()); }
   Box3 bounds() const final { return cold_->bounds; }
   SolidExtent solid_extent() const final {
     return cold_->solid ? *cold_->solid : SolidExtent{bounds(), solid_outside_};

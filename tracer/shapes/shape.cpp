@@ -77,6 +77,14 @@ bool Shape::occludes(const Ray& ray, double t_min, double t_max) const {
   return intersect(ray, RayKind::shadow, t_min, t_max, hit);
 }
 
+void Shape::intersect_packet_between(const RayPacket& rays, RayKind kind, const double* from, const double* to,
+                                     LaneHits& hits) const {
+  each_lane(rays.active, [&](int k) {
+    intersect_between(rays.at(k), kind, from[k], to[k], hits.begin_lane(k));
+    hits.end_lane(k);
+  });
+}
+
 unsigned Shape::intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                                  const double* t_max, Hit* hits) const {
   unsigned found = 0;

@@ -33,6 +33,19 @@ struct Hit {
 // Hits of one query. A thread keeps one and reuses it: no allocation once it has grown.
 using HitList = std::vector<Hit>;
 
+// Where in a list the hits of each lane of a packet are.
+struct LaneHits {
+  explicit LaneHits(HitList& all) : list(all) {}
+  HitList& begin_lane(int k) {
+    begin[k] = list.size();
+    return list;
+  }
+  void end_lane(int k) { end[k] = list.size(); }
+
+  HitList& list;
+  std::size_t begin[RayPacket::kCount] = {}, end[RayPacket::kCount] = {};
+};
+
 // Which rays see an object (spec 03 5.5, 06 10.3).
 enum class RayKind : unsigned char { camera, refracted, reflected, radiosity, shadow, photon, query };
 
@@ -70,6 +83,9 @@ class Shape : public scene::Solid {
   virtual void intersect_between(const Ray& ray, RayKind kind, double /*from*/, double /*to*/, HitList& hits) const {
     intersect_all(ray, kind, hits);
   }
+  // The same for several rays; lanes that are not spoken of have none.
+  virtual void intersect_packet_between(const RayPacket& rays, RayKind kind, const double* from, const double* to,
+                                        LaneHits& hits) const;
   // The nearest hit with t_min <= t < t_max; on equal t the one collected last (spec 03 2.1). The default scans
   // intersect_all.
   virtual bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
@@ -107,11 +123,15 @@ class Shape : public scene::Solid {
   // Conservative: see SolidExtent. The default knows nothing.
   virtual SolidExtent solid_extent() const { return {everywhere(), false}; }
 
-  // The numbers of a simple solid without clips and bounds; of others none. They may be read while the shape lives.
+  // The numbers of a simple solid, which know nothing of its clips and bounds; of others none. They may be read while
+  // the shape lives.
   virtual SimpleSolid simple() const { return {}; }
 
   // What the rays so far tell the author of the scene about this shape; mostly nothing.
   virtual std::string finding() const { return {}; }
+
+  // The clip objects of this object.
+  virtual std::span<const std::unique_ptr<Shape>> clips() const { return {}; }
 
   // Children of a CSG object, of a light_group or the looks_like of a light; empty for primitives.
   virtual std::span<const std::unique_ptr<Shape>> children() const { return {}; }

@@ -67,27 +67,32 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   bool crossed_once() const override { return search_.convex() && !inverted() && !guarded_; }
   Intersections cross(const Ray& ray) const override { return cross(ray, unit_local(ray)); }
   void cross_packet(const RayPacket& rays, Intersections* intersections) const override {
-    ConvexPacket entry{}, exit{};
-    LocalRay locals[ConvexPacket::kCount];
-    double near[ConvexPacket::kCount], far[ConvexPacket::kCount];
-    unsigned active = 0;
-    each_lane(rays.active, [&](int k) {
-      intersections[k] = {};
-      locals[k] = unit_local(rays.at(k));
-      if (!clip_to_cube(locals[k], near[k], far[k])) return;
-      set(entry, k, locals[k]), set(exit, k, locals[k]);
-      entry.t[k] = exit.end[k] = near[k], entry.end[k] = exit.t[k] = far[k];
-      active |= 1u << k;
+    each_lane(rays.active, [&](int k) { intersections[k] = {}; });
+    PacketWays w;
+    search_packet(rays, w, [&](int k, double depth) { return add_depth(depth, intersections[k]); });
+    each_lane(w.entered, [&](int k) {
+      narrow(w.locals[k], w.near[k], doubt_at(rays.rays.origin.at(rays.first + k)), w.entry, w.exit, w.left >> k & 1, k,
+             k, intersections[k]);
     });
-    const unsigned entered = approach(1, active, entry), left = approach(-1, entered, exit);
-    double from[ConvexPacket::kCount], to[ConvexPacket::kCount];
-    each_lane(entered,
-              [&](int k) { from[k] = surely_outside_until(entry, k), to[k] = left >> k & 1 ? exit.t[k] : -HUGE_VAL; });
-    search_.along_packet(entered, locals, near, far, from, to,
-                         [&](int k, double t) { return add_depth(t / locals[k].scale, intersections[k]); });
-    each_lane(entered, [&](int k) {
-      narrow(locals[k], near[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, exit, left >> k & 1, k, k,
-             intersections[k]);
+  }
+  void intersect_packet_between(const RayPacket& rays, RayKind kind, const double* from, const double* to,
+                                LaneHits& hits) const override {
+    if (guarded_ || !search_.convex()) return Shape::intersect_packet_between(rays, kind, from, to, hits);
+    constexpr int kMostHits = 12;  // one at each knot
+    double depths[ConvexPacket::kCount][kMostHits];
+    int counts[ConvexPacket::kCount] = {};
+    PacketWays w;
+    search_packet(rays, w, [&](int k, double depth) {
+      if (depth > to[k]) return true;
+      if (depth > kNearest && depth < kFarthest) depths[k][counts[k]++] = depth;
+      return counts[k] == kMostHits;
+    });
+    each_lane(w.entered, [&](int k) {
+      const Ray ray = rays.at(k);
+      HitList& list = hits.begin_lane(k);
+      for (int i = 0; i < counts[k]; ++i)
+        list.push_back({depths[k][i], ray.origin + depths[k][i] * ray.direction, this, 0, 0, 0});
+      hits.end_lane(k);
     });
   }
 
@@ -175,7 +180,33 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     narrow(l, near, doubt_at(ray.origin), packet, packet, found & 2, 0, 1, c);
     return c;
   }
-  // The same for eight rays: take(lane, t) for the nearest hits.
+  // Where eight rays are within the cube, and come to the surface from either end of that.
+  struct PacketWays {
+    ConvexPacket entry{}, exit{};
+    LocalRay locals[ConvexPacket::kCount];
+    double near[ConvexPacket::kCount], far[ConvexPacket::kCount];
+    unsigned entered = 0, left = 0;
+  };
+  // report(lane, depth) says whether the lane may stop.
+  template <class Report>
+  void search_packet(const RayPacket& rays, PacketWays& w, Report&& report) const {
+    unsigned active = 0;
+    each_lane(rays.active, [&](int k) {
+      w.locals[k] = unit_local(rays.at(k));
+      if (!clip_to_cube(w.locals[k], w.near[k], w.far[k])) return;
+      set(w.entry, k, w.locals[k]), set(w.exit, k, w.locals[k]);
+      w.entry.t[k] = w.exit.end[k] = w.near[k], w.entry.end[k] = w.exit.t[k] = w.far[k];
+      active |= 1u << k;
+    });
+    w.entered = approach(1, active, w.entry), w.left = approach(-1, w.entered, w.exit);
+    double from[ConvexPacket::kCount], to[ConvexPacket::kCount];
+    each_lane(w.entered, [&](int k) {
+      from[k] = surely_outside_until(w.entry, k), to[k] = w.left >> k & 1 ? w.exit.t[k] : -HUGE_VAL;
+    });
+    search_.along_packet(w.entered, w.locals, w.near, w.far, from, to,
+                         [&](int k, double t) { return report(k, t / w.locals[k].scale); });
+  }
+  // Where eight rays meet it first: take(lane, t).
   template <class Take>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, Take&& take) const {
     ConvexPacket packet{};

@@ -52,41 +52,26 @@ class Blob final : public SearchPrimitive<Blob> {
         return limit;
       });
     }
-    search(ray, l, pieces, HUGE_VAL, sink);
+    search(ray, l, pieces, sink);
   }
 
   bool takes_packets() const { return !spheres_.empty() || !tree_.empty(); }
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
-    if (admitted == 0) return 0;
-    LocalPacket l;
-    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
-    constexpr std::size_t kMax = 192;
-    static_assert(kMax >= BlobParts::kMaxInSpheres);
-    PiecePacket met[kMax];
-    const std::size_t count = spheres_.empty()
-                                  ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMax)
-                                  : blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
-    if (count == 0) return 0;
     unsigned found = 0;
-    each_lane(admitted, [&](int k) {
+    each_search(rays, [&](int k, auto&& search_ray) {
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      if (count > kMax) {
-        intersections(rays.at(k), sink);
-        found |= sink.found() ? 1u << k : 0;
-        return;
-      }
-      Scratch<Piece> pieces;
-      for (std::size_t i = 0; i < count; ++i) {
-        const PiecePacket& p = met[i];
-        if (p.met >> k & 1) add_piece(*p.part, {p.t0[k], p.t1[k], p.scale2[k], p.peak[k]}, pieces);
-      }
-      const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
-      search(rays.at(k), ray, pieces, t_max[k], sink);
+      search_ray(sink);
       found |= sink.found() ? 1u << k : 0;
     });
     return found;
+  }
+  void hits_of_packet(const RayPacket& rays, const double* from, const double* to, LaneHits& hits) const {
+    each_search(rays, [&](int k, auto&& search_ray) {
+      AllHits sink(*this, guards(), hits.begin_lane(k), from[k], to[k]);
+      search_ray(sink);
+      hits.end_lane(k);
+    });
   }
 
   bool contains(const Vec3& point) const {
@@ -178,6 +163,34 @@ class Blob final : public SearchPrimitive<Blob> {
     for (std::size_t i = 0; i < around.size(); ++i) test(parts_[around[i]]);
   }
 
+  // Calls visit(k, search) for the rays that may meet the blob: search(sink) reports the hits of lane k.
+  template <class Visit>
+  void each_search(const RayPacket& rays, Visit&& visit) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
+    if (admitted == 0) return;
+    LocalPacket l;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
+    constexpr std::size_t kMax = 192;
+    static_assert(kMax >= BlobParts::kMaxInSpheres);
+    PiecePacket met[kMax];
+    const std::size_t count = spheres_.empty()
+                                  ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMax)
+                                  : blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
+    if (count == 0) return;
+    each_lane(admitted, [&](int k) {
+      visit(k, [&](auto& sink) {
+        if (count > kMax) return intersections(rays.at(k), sink);
+        Scratch<Piece> pieces;
+        for (std::size_t i = 0; i < count; ++i) {
+          const PiecePacket& p = met[i];
+          if (p.met >> k & 1) add_piece(*p.part, {p.t0[k], p.t1[k], p.scale2[k], p.peak[k]}, pieces);
+        }
+        const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
+        search(rays.at(k), ray, pieces, sink);
+      });
+    });
+  }
+
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     RayPiece p;
     if (blob_kernels().piece(part, l.origin, l.direction, p)) add_piece(part, p, pieces);
@@ -185,21 +198,6 @@ class Blob final : public SearchPrimitive<Blob> {
   static void add_piece(const Part& part, const RayPiece& p, Scratch<Piece>& pieces) {
     Piece& piece = pieces.add();
     piece.t0 = p.t0, piece.t1 = p.t1, piece.part = &part, piece.scale2 = p.scale2, piece.peak = p.peak;
-  }
-
-  // The field of a part along origin + u direction, 0 <= u <= 1, in powers of u; `span` is the length of the direction.
-  static void expand(Piece& piece, const Vec3& origin, const Vec3& direction, double span) {
-    const Part& part = *piece.part;
-    const Vec3 q = (part.moved ? part.transform->inverse_point(origin) : origin) - part.center;
-    const Vec3 d = part.moved ? part.transform->inverse_direction(direction) : direction;
-    const bool flat = part.kind == PartKind::cylinder;
-    const double a = flat ? d.x * d.x + d.y * d.y : part.moved ? dot(d, d) : span * span;
-    const double b = flat ? q.x * d.x + q.y * d.y : dot(q, d), c = flat ? q.x * q.x + q.y * q.y : dot(q, q);
-    piece.power[4] = part.k0 * a * a;
-    piece.power[3] = 4 * part.k0 * b * a;
-    piece.power[2] = 2 * part.k0 * (2 * b * b + a * c) + part.k1 * a;
-    piece.power[1] = 2 * b * (2 * part.k0 * c + part.k1);
-    piece.power[0] = c * (part.k0 * c + part.k1) + part.k2;
   }
 
   // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
@@ -258,9 +256,9 @@ class Blob final : public SearchPrimitive<Blob> {
     }
   }
 
-  // The hits of a ray that are no further than `limit`, interval by interval.
+  // The hits of a ray that its sink asks for, interval by interval.
   template <class Sink>
-  void search(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, double limit, Sink& sink) const {
+  void search(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, Sink& sink) const {
     double start = HUGE_VAL, end = -HUGE_VAL, peak = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       start = std::min(start, pieces[i].t0), end = std::max(end, pieces[i].t1);
@@ -272,16 +270,15 @@ class Blob final : public SearchPrimitive<Blob> {
     if (misses(peak, rounding)) return;
     Scratch<Event> events;
     add_events(pieces, start, span, events);
-    const Vec3 origin = l.origin + start * l.direction, direction = span * l.direction;
-    for (std::size_t i = 0; i < pieces.size(); ++i) expand(pieces[i], origin, direction, span);
-    Intervals intervals(&events[0], events.size(), &pieces[0], threshold_);
+    Intervals intervals(l, &events[0], events.size(), &pieces[0], threshold_);
     const double too_near = (0.5 * nearest(sink) * l.scale - start) / span;
     while (intervals.next()) {
-      if ((start + span * intervals.from) / l.scale >= limit) return;
+      if (intervals.depth(intervals.from) > sink.upper()) return;
+      if (intervals.depth(intervals.to) < sink.lower()) continue;
       if (intervals.to < too_near || misses(intervals.peak, rounding)) continue;
       if (keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
       if (intervals.from < too_near && keeps_its_sign_by_far(intervals.power, too_near, intervals.to)) continue;
-      if (solve(ray, l, intervals, sink) && Sink::kNearest) return;
+      if (solve(ray, intervals, sink) && Sink::kNearest) return;
     }
   }
 
@@ -322,7 +319,7 @@ class Blob final : public SearchPrimitive<Blob> {
 
   // True: a hit was accepted.
   template <class Sink>
-  bool solve(const Ray& ray, const LocalRay& l, const Intervals& intervals, Sink& sink) const {
+  bool solve(const Ray& ray, const Intervals& intervals, Sink& sink) const {
     const double* p = intervals.power;
     const double c[5] = {p[4], p[3], p[2], p[1], p[0]};
     double roots[4];
@@ -330,7 +327,7 @@ class Blob final : public SearchPrimitive<Blob> {
     std::sort(roots, roots + n);
     bool found = false;
     for (int i = 0; i < n; ++i)
-      if (roots[i] >= intervals.from && roots[i] <= intervals.to && report(ray, l.scale, intervals, roots[i], sink)) {
+      if (roots[i] >= intervals.from && roots[i] <= intervals.to && report(ray, intervals, roots[i], sink)) {
         found = true;
         if (Sink::kNearest) break;
       }
@@ -338,8 +335,8 @@ class Blob final : public SearchPrimitive<Blob> {
   }
 
   template <class Sink>
-  static bool report(const Ray& ray, double scale, const Intervals& intervals, double root, Sink& sink) {
-    const double depth = (root * intervals.span + intervals.start) / scale;
+  static bool report(const Ray& ray, const Intervals& intervals, double root, Sink& sink) {
+    const double depth = intervals.depth(root);
     return depth > nearest(sink) && depth < kFarthest &&
            sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
   }

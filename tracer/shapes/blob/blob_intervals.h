@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "tracer/shapes/blob/blob_packet.h"
+#include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes::blob {
 
@@ -17,6 +18,20 @@ struct Piece {
   double scale2;         // the square of its parameter's scale, beside the part's squared radius
   double peak = 0;       // no more than this does it add to the field, but for rounding
   double power[5] = {};  // what it adds to the field, in powers of the parameter that all pieces of a ray share
+
+  // Finds those along origin + u direction, 0 <= u <= 1; `span` is the length of the direction.
+  void expand(const Vec3& origin, const Vec3& direction, double span) {
+    const Vec3 q = (part->moved ? part->transform->inverse_point(origin) : origin) - part->center;
+    const Vec3 d = part->moved ? part->transform->inverse_direction(direction) : direction;
+    const bool flat = part->kind == BlobPartKind::cylinder;
+    const double a = flat ? d.x * d.x + d.y * d.y : part->moved ? dot(d, d) : span * span;
+    const double b = flat ? q.x * d.x + q.y * d.y : dot(q, d), c = flat ? q.x * q.x + q.y * q.y : dot(q, q);
+    power[4] = part->k0 * a * a;
+    power[3] = 4 * part->k0 * b * a;
+    power[2] = 2 * part->k0 * (2 * b * b + a * c) + part->k1 * a;
+    power[1] = 2 * b * (2 * part->k0 * c + part->k1);
+    power[0] = c * (part->k0 * c + part->k1) + part->k2;
+  }
 };
 
 struct Event {
@@ -35,9 +50,16 @@ struct Event {
 // added where they begin, and from which they are taken where they end. The ray's parameter is rescaled to 0 .. 1.
 class Intervals {
  public:
-  // `pieces`: with their powers.
-  Intervals(const Event* events, std::size_t count, const Piece* pieces, double threshold)
-      : events_(events), pieces_(pieces), count_(count), start(events[0].t), span(events[count - 1].t - start) {
+  // Pieces get their powers when they are come to.
+  Intervals(const LocalRay& ray, const Event* events, std::size_t count, Piece* pieces, double threshold)
+      : events_(events),
+        pieces_(pieces),
+        count_(count),
+        scale_(ray.scale),
+        start(events[0].t),
+        span(events[count - 1].t - start),
+        origin_(ray.origin + start * ray.direction),
+        direction_(span * ray.direction) {
     power[0] = -threshold;
   }
 
@@ -58,9 +80,13 @@ class Intervals {
     return false;
   }
 
+  // Of a place, in the world.
+  double depth(double place) const { return (place * span + start) / scale_; }
+
  private:
   void update(const Event& event) {
-    const Piece& piece = pieces_[event.piece];
+    Piece& piece = pieces_[event.piece];
+    if (event.enters) piece.expand(origin_, direction_, span);
     const double sign = event.enters ? 1 : -1;
     active_ += event.enters ? 1 : -1;
     for (int i = 0; i < 5; ++i) power[i] += sign * piece.power[i];
@@ -68,14 +94,18 @@ class Intervals {
   }
 
   const Event* events_;
-  const Piece* pieces_;
+  Piece* pieces_;
   std::size_t count_, next_ = 0, active_ = 0;
+  double scale_;
 
  public:
   double start, span;
   double from = 0, to = 0;
   double power[5] = {};  // constant term first
   double peak = 0;       // no more than this is the field, but for rounding
+
+ private:
+  Vec3 origin_, direction_;
 };
 
 }  // namespace verisim::shapes::blob

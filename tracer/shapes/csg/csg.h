@@ -35,6 +35,7 @@ class CsgShape : public Shape {
 
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && inside_unclipped(p); }
   Vec3 normal(const Hit&) const final { return Vec3(0); }  // hits belong to primitives
+  std::span<const std::unique_ptr<Shape>> clips() const final { return clips_of(guards_.get()); }
   Box3 bounds() const final { return bounds_; }
   SolidExtent solid_extent() const final { return solid_; }
   std::span<const std::unique_ptr<Shape>> children() const final { return children_; }

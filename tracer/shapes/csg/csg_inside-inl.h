@@ -100,6 +100,9 @@ unsigned inside(const CsgTree& tree, const CsgNode& n, unsigned lanes, const Pac
 }
 template <class Number>
 unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p) {
+  for (std::uint32_t i = 0; i < n.clip_count && lanes != 0; ++i)
+    lanes = inside(tree, tree.nodes[tree.children[n.clips + i]], lanes, p);
+  if (lanes == 0) return 0;
   switch (n.kind) {
     case CsgNode::Kind::simple:
       return inside_simple(n, p) & lanes;

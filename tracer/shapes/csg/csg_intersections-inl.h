@@ -61,8 +61,7 @@ HWY_INLINE void take_surviving(Search<Number>& s, const CsgNode& n, const Number
     const CsgTest& test = s.tree.tests[n.tests + i];
     if ((test.hidden >> static_cast<unsigned>(s.query.kind) & 1) != 0) continue;
     const CsgNode& other = s.tree.nodes[test.node];
-    const unsigned within =
-        other.kind == CsgNode::Kind::simple ? inside_simple(other, p) : inside(s.tree, other, lanes, p);
+    const unsigned within = other.plain ? inside_simple(other, p) : inside(s.tree, other, lanes, p);
     lanes &= test.inside ? within : ~within;
     if (lanes == 0) return;
   }

@@ -42,29 +42,37 @@ HWY_INLINE unsigned meets_box(const Search<Number>& s, const CsgNode& n) {
   return bits(enter <= leave) & s.open;
 }
 
+HWY_INLINE void ask_other(const Search<Packet>& s, const CsgNode& n, const RayPacket& rays, unsigned lanes,
+                          const double* from, const double* to, LaneHits& hits) {
+  n.shape->intersect_packet_between({rays.rays, rays.first, lanes}, s.query.kind, from, to, hits);
+}
+HWY_INLINE void ask_other(const Search<PacketOf<1>>& s, const CsgNode& n, const Ray& ray, unsigned, const double* from,
+                          const double* to, LaneHits& hits) {
+  n.shape->intersect_between(ray, s.query.kind, *from, *to, hits.begin_lane(0));
+  hits.end_lane(0);
+}
+
 // What is not computed here: the first hits of all lanes together, then the second ones and so on.
-template <class Number>
-[[gnu::noinline]] void cross_other(Search<Number>& s, const CsgNode& n, unsigned lanes) {
-  std::size_t begin[Number::kCount], end[Number::kCount];
+template <class Number, class Rays>
+[[gnu::noinline]] void cross_other(Search<Number>& s, const CsgNode& n, const Rays& rays, unsigned lanes) {
   alignas(64) double from[Number::kCount], to[Number::kCount];
   const bool within_core = s.tree.true_distances;
   store(from, within_core ? max(s.enter, s.query.t_min) : Number(s.query.t_min)),
       store(to, within_core ? min(s.leave, s.best) : s.best);
+  LaneHits hits(s.others->list());
+  ask_other(s, n, rays, lanes, from, to, hits);
   each_lane(lanes, [&](int k) {
-    begin[k] = s.others->end();
-    n.shape->intersect_between(ray_of(s, k), s.query.kind, from[k], to[k], s.others->list());
-    end[k] = s.others->end();
-    if (begin[k] == end[k]) lanes &= ~(1u << k);
+    if (hits.begin[k] == hits.end[k]) lanes &= ~(1u << k);
   });
   while (lanes != 0) {
     alignas(64) double t[Number::kCount] = {}, x[Number::kCount] = {}, y[Number::kCount] = {}, z[Number::kCount] = {};
     alignas(64) std::int64_t part[Number::kCount] = {};
     const unsigned now = lanes;
     each_lane(now, [&](int k) {
-      const Hit& hit = (*s.others)[begin[k]];
+      const Hit& hit = hits.list[hits.begin[k]];
       t[k] = hit.t, x[k] = hit.point.x, y[k] = hit.point.y, z[k] = hit.point.z,
-      part[k] = static_cast<std::int64_t>(begin[k]);
-      if (++begin[k] == end[k]) lanes &= ~(1u << k);
+      part[k] = static_cast<std::int64_t>(hits.begin[k]);
+      if (++hits.begin[k] == hits.end[k]) lanes &= ~(1u << k);
     });
     const Number at = Number::load(t);
     const typename Number::Mask valid = Number::Mask::of_bits(now);
@@ -177,7 +185,7 @@ HWY_INLINE void run(Search<Number>& s, const Rays& rays) {
         consider_core(s, n, core);
         break;
       case CsgNode::Kind::other:
-        cross_other(s, n, lanes);
+        cross_other(s, n, rays, lanes);
         break;
       default:
         break;

@@ -10,16 +10,18 @@ namespace {
 
 constexpr std::size_t kMaxNodes = 40;
 
-// CSG objects without clips and bounds.
-bool takes_apart(const Shape& shape) {
-  const scene::Object& o = *shape.object;
-  return o.as<scene::Csg>() && o.bounded_by.empty() && o.clipped_by.empty();
-}
+bool bounded(const Shape& shape) { return !shape.object->bounded_by.empty(); }
+// CSG objects without bounds.
+bool takes_apart(const Shape& shape) { return shape.object->as<scene::Csg>() && !bounded(shape); }
+bool is_simple(const Shape& shape) { return !bounded(shape) && shape.simple().form != SimpleSolid::Form::other; }
 // Nodes of these shapes; no further than to more than kMaxNodes.
 std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
   std::size_t count = 0;
-  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMaxNodes; ++shape)
-    count += 1 + (takes_apart(**shape) ? count_nodes((*shape)->children()) : 0);
+  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMaxNodes; ++shape) {
+    ++count;
+    if (takes_apart(**shape)) count += count_nodes((*shape)->children());
+    if (takes_apart(**shape) || is_simple(**shape)) count += count_nodes((*shape)->clips());
+  }
   return count;
 }
 
@@ -27,8 +29,8 @@ std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
 
 struct CsgTree::Builder {
   CsgTree& tree;
-  std::vector<double> cost{};  // of an inside test, by node
-  bool computes = false;       // there is a simple solid
+  std::vector<double> cost{};                  // of an inside test, by node
+  std::vector<std::uint32_t> clipped_nodes{};  // whose clips are still to be added
 
   // With what is below it. `top_child`: all of the object is within it.
   std::uint32_t add(const Shape& shape, bool top_child) {
@@ -47,10 +49,11 @@ struct CsgTree::Builder {
                                                                                     : CsgNode::Kind::sum;
       n.boxed = accel::is_finite(n.box);
       test_cost = add_children(n, shape.children(), top_child && n.kind == CsgNode::Kind::intersection);
-    } else if (n.simple = shape.simple(); n.simple.form != SimpleSolid::Form::other) {
+    } else if (is_simple(shape)) {
       n.kind = CsgNode::Kind::simple;
-      n.boxed_solid = false;
-      computes = true;
+      n.simple = shape.simple();
+      n.plain = shape.clips().empty();
+      n.boxed_solid = n.boxed_solid && !n.plain;
       const bool cone = n.simple.form == SimpleSolid::Form::cone, plane = n.simple.form == SimpleSolid::Form::plane;
       n.boxed = (cone || n.simple.form == SimpleSolid::Form::quadric || n.simple.matrix != nullptr) &&
                 accel::is_finite(n.box);
@@ -59,7 +62,6 @@ struct CsgTree::Builder {
       n.kind = CsgNode::Kind::prism;
       n.walls = prism->straight_walls();
       n.boxed = accel::is_finite(n.box);
-      computes = true;
       test_cost = 10;
     } else if (const auto* convex = dynamic_cast<const Convex*>(&shape);
                convex && top_child && tree.core == 0 && convex->crossed_once()) {
@@ -71,6 +73,7 @@ struct CsgTree::Builder {
       tree.any_other = true;
     }
     n.end = static_cast<std::uint32_t>(tree.nodes.size());
+    if (!shape.clips().empty() && (n.kind != CsgNode::Kind::other)) clipped_nodes.push_back(index);
     if (n.boxed) tree.any_boxed = true;
     tree.nodes[index] = n;
     cost[index] = test_cost;
@@ -91,13 +94,28 @@ struct CsgTree::Builder {
     tree.children.insert(tree.children.end(), indices, end);
     return sum;
   }
+  // Those of all nodes, and their own.
+  void add_clips() {
+    while (!clipped_nodes.empty()) {
+      const std::uint32_t node = clipped_nodes.back();
+      clipped_nodes.pop_back();
+      std::vector<std::uint32_t> clips;
+      for (const auto& clip : tree.nodes[node].shape->clips()) clips.push_back(add(*clip, false));
+      tree.nodes[node].clips = static_cast<std::uint32_t>(tree.children.size());
+      tree.nodes[node].clip_count = static_cast<std::uint32_t>(clips.size());
+      tree.children.insert(tree.children.end(), clips.begin(), clips.end());
+    }
+  }
   // `path`: what hits on this node have to pass on the way up; it is left as it was.
   void add_tests(std::uint32_t index, std::vector<CsgTest>& path) {
     CsgNode& n = tree.nodes[index];
+    const std::size_t given = path.size();
+    for (std::uint32_t i = 0; i < n.clip_count; ++i) path.push_back({tree.children[n.clips + i], true});
     if (n.kind != CsgNode::Kind::intersection && n.kind != CsgNode::Kind::sum) {
       n.tests = static_cast<std::uint32_t>(tree.tests.size()), n.test_count = static_cast<std::uint32_t>(path.size());
       tree.tests.insert(tree.tests.end(), path.begin(), path.end());
       cheap_first(tree.tests.begin() + n.tests, tree.tests.end(), [](const CsgTest& test) { return test.node; });
+      path.resize(given);
       return;
     }
     const bool merge = n.shape->object->as<scene::Csg>()->kind == scene::CsgKind::merge,
@@ -112,6 +130,7 @@ struct CsgTree::Builder {
       add_tests(child, path);
       path.resize(length);
     }
+    path.resize(given);
   }
   // Sorts by the cost of nodes; equal ones stay as they are. Lists are short.
   template <class Iterator, class NodeOf>
@@ -169,11 +188,11 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   builder.add_children(top, children, all);
   top.end = static_cast<std::uint32_t>(tree->nodes.size());
   tree->nodes[0] = top;
+  builder.add_clips();
   std::vector<CsgTest> path;
   builder.add_tests(0, path);
   tree->true_distances =
       std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
-  if (!builder.computes) return nullptr;
   tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
   tree->proxies.assign(proxies.begin(), proxies.end());
   return tree;

@@ -28,12 +28,14 @@ struct CsgNode {
     other
   };  // core: a solid that rays cross once, and of which only what is within it shows
   Kind kind = Kind::other;
+  bool plain = false;        // simple, without clips
   bool boxed = false;        // worth a look at its box first
   bool boxed_solid = false;  // of everything outside `solid` it is known whether it is inside:
   bool far_is_inside = false;
   unsigned hidden = 0;                          // from kinds of rays, as bits
   std::uint32_t end = 0;                        // the node behind it and what is below it
   std::uint32_t children = 0, child_count = 0;  // CsgTree::children: those of CSG objects, cheap ones first
+  std::uint32_t clips = 0, clip_count = 0;      // CsgTree::children: what is not inside all of these is cut away
   std::uint32_t tests = 0, test_count = 0;      // CsgTree::tests: what hits have to pass
   SimpleSolid simple;
   Box3 box;    // where its surface is, a little larger
@@ -78,7 +80,7 @@ class CsgTree {
   static constexpr int kBest = -1;
   static constexpr int kMin = 2;  // rays that are worth being asked together
 
-  // Of an object whose children are compiled; null if it has too many parts or none that is computed here.
+  // Of an object whose children are compiled; null if it has too many parts.
   // `limit`: outside of it nothing shows; may be infinite. `proxies`: rooms that are cut out of it. `instruction_set`:
   // the best, or any for tests (null: not on this machine).
   static std::unique_ptr<const CsgTree> of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
@@ -93,7 +95,7 @@ class CsgTree {
   bool occluded(const Ray& ray, const CsgQuery& query) const;
 
   // For the kernels.
-  std::vector<CsgNode> nodes;
+  std::vector<CsgNode> nodes;  // behind the end of the first: clip objects, which are not part of the object
   std::vector<std::uint32_t> children;
   std::vector<CsgTest> tests;
   std::vector<InteriorProxy> proxies;

@@ -59,7 +59,7 @@ class Isosurface final : public Primitive<Isosurface> {
  public:
   Isosurface(const scene::Object& description, const scene::Isosurface& s)
       : Primitive(description, {container_box(s.container), true}), surface_(s), max_gradient_(s.max_gradient) {
-    max_trace_ = s.max_trace <= 0 || s.max_trace > 10 ? 10 : s.max_trace;
+    max_trace_ = s.max_trace <= 0 || s.max_trace > kMostTraced ? kMostTraced : s.max_trace;
     const bool plain = !s.evaluate && description.clipped_by.empty() && description.bounded_by.empty();
     if (plain) in_batches_ = FieldPacket::suitable(s.function.get());
     if (!s.evaluate) field_.narrowing = functions::Narrowing::of(s.function.get());
@@ -121,6 +121,25 @@ class Isosurface final : public Primitive<Isosurface> {
     return batch.found | Shape::occludes_packet({rays.rays, rays.first, batch.alone}, entry, t_min, t_max);
   }
 
+  void intersect_packet_between(const RayPacket& rays, RayKind kind, const double* from, const double* to,
+                                LaneHits& hits) const final {
+    // Functions that are called are called for idle lanes, too.
+    const int least = in_batches_ && !in_batches_->calls().empty() ? 6 : kMin;
+    if (!in_batches_ || std::popcount(rays.active) < least || last_miss().kept)
+      return Shape::intersect_packet_between(rays, kind, from, to, hits);
+    EveryHit every;
+    BatchHits batch(-HUGE_VAL, to, false, &every);
+    FieldPacket field(*in_batches_);
+    trace_batch(rays, batch, field);
+    each_lane(rays.active & ~batch.alone, [&](int k) {
+      HitList& list = hits.begin_lane(k);
+      for (int i = 0; i < every.count[k]; ++i)
+        list.push_back({every.t[k][i], rays.at(k).at(every.t[k][i]), this, every.face[k][i], 0, 0});
+      hits.end_lane(k);
+    });
+    Shape::intersect_packet_between({rays.rays, rays.first, batch.alone}, kind, from, to, hits);
+  }
+
   std::string finding() const final { return surface_.evaluate ? evaluate_finding() : gradient_finding(); }
 
   bool contains(const Vec3& p) const {
@@ -157,24 +176,40 @@ class Isosurface final : public Primitive<Isosurface> {
   template <class Value, class Sink>
   void trace(const Ray& ray, IsosurfaceSearch<Value>& search, const ContainerSpan& span, Sink& sink) const;
 
-  // The nearest hits of eight rays, or any, as NearestHit keeps them for one.
+  static constexpr int kMostTraced = 10;
+  // Of eight rays, in the order in which they are found.
+  struct EveryHit {
+    double t[RayPacket::kCount][1 + kMostTraced];  // the first of them may be on the container
+    int face[RayPacket::kCount][1 + kMostTraced];
+    int count[RayPacket::kCount] = {};
+  };
+  // The nearest hits of eight rays, or any, as NearestHit keeps them for one; or every hit.
   struct BatchHits {
-    BatchHits(double min, const double* max, bool any_will_do) : t_min(min), limit(max), any(any_will_do) {
+    BatchHits(double min, const double* max, bool any_will_do, EveryHit* all = nullptr)
+        : t_min(min), limit(max), any(any_will_do), every(all) {
       std::copy_n(max, RayPacket::kCount, t_max);
     }
     double t_min;
     const double* limit;
     bool any;
+    EveryHit* every;  // null: the nearest hits
     double t_max[RayPacket::kCount];
     int face[RayPacket::kCount];
     unsigned found = 0;
     unsigned alone = 0;  // lanes that are not to be searched with others
 
     void forget(unsigned lanes) {
+      if (every) each_lane(lanes, [&](int k) { every->count[k] = 0; });
       each_lane(lanes & found, [&](int k) { t_max[k] = limit[k]; });
       found &= ~lanes;
     }
+    // Whether the ray need not go on.
     bool add(int k, double t, int at_face) {
+      if (every) {
+        const int place = every->count[k]++;
+        every->t[k][place] = t, every->face[k][place] = at_face;
+        return false;
+      }
       const bool again = found >> k & 1;
       if (!(t >= t_min) || !(again ? t <= t_max[k] : t < t_max[k])) return false;
       t_max[k] = t, face[k] = at_face;

@@ -63,7 +63,6 @@ class Cone final : public KernelPrimitive<Cone> {
   }
 
   SimpleSolid simple() const override {
-    if (guarded()) return {};
     return {.form = SimpleSolid::Form::cone,
             .inverted = inverted(),
             .cylinder = cylinder_,

@@ -22,7 +22,6 @@ class Plane final : public Primitive<Plane> {
   }
 
   SimpleSolid simple() const override {
-    if (guards()) return {};
     return {.form = SimpleSolid::Form::plane,
             .inverted = inverted(),
             .matrix = has_matrix() ? &matrix() : nullptr,

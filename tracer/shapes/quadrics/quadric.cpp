@@ -43,10 +43,7 @@ class Quadric final : public KernelPrimitive<Quadric> {
     quadric_kernels().quadric(q_, rays, t_min, t_max, met);
   }
 
-  SimpleSolid simple() const override {
-    if (guarded()) return {};
-    return {.form = SimpleSolid::Form::quadric, .quadric = &q_};
-  }
+  SimpleSolid simple() const override { return {.form = SimpleSolid::Form::quadric, .quadric = &q_}; }
 
   // Inversion has negated the coefficients already.
   bool contains(const Vec3& p) const { return quadric_inside(q_, p); }

@@ -50,7 +50,6 @@ class Sphere final : public KernelPrimitive<Sphere> {
   }
 
   SimpleSolid simple() const override {
-    if (guarded()) return {};
     return {.form = SimpleSolid::Form::sphere,
             .inverted = inverted(),
             .matrix = has_matrix() ? &matrix() : nullptr,

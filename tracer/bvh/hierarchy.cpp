@@ -219,6 +219,99 @@ Hierarchy::Hierarchy(std::vector<Item> items) {
   nodes_[root_].infinite = !infinite.empty();
 }
 
+void Hierarchy::find_parents() {
+  parents_.assign(nodes_.size(), 0);
+  std::vector<std::uint32_t> waiting;
+  if (!nodes_.empty()) waiting.push_back(root_);
+  while (!waiting.empty()) {
+    const std::uint32_t parent = waiting.back();
+    waiting.pop_back();
+    for (std::uint32_t i = 0; i < nodes_[parent].count; ++i) {
+      const std::uint32_t child = children_[nodes_[parent].first + i];
+      parents_[child] = parent;
+      if (nodes_[child].count != 0) waiting.push_back(child);
+    }
+  }
+}
+
+bool Hierarchy::comes_to(const Slabs& slabs, std::uint32_t entry, double& key) const {
+  key = kFirst;
+  double own;
+  for (std::uint32_t node = entry; node != root_; node = parents_[node]) {
+    if (nodes_[node].infinite) continue;
+    if (!slabs.enters(nodes_[node].bounds, own)) return false;
+    key = std::max(key, own);
+  }
+  return nodes_[root_].infinite || slabs.enters(nodes_[root_].bounds, own);
+}
+
+bool Hierarchy::reaches(const Ray& ray, std::uint32_t entry) const {
+  double key;
+  return comes_to(Slabs(ray), entry, key);
+}
+
+bool Hierarchy::any_copies(std::span<const Found> hits) const {
+  const double nearest = std::ranges::min(hits, {}, &Found::t).t;
+  const Node* first = nullptr;
+  for (const Found& hit : hits) {
+    if (hit.t != nearest) continue;
+    const Node& node = nodes_[hit.entry];
+    if (first && first->bounds.low == node.bounds.low && first->bounds.size == node.bounds.size) return true;
+    first = &node;
+  }
+  return false;
+}
+
+// As long as an entry is not asked, the queue holds a box around it whose key is at most the largest on its way: so one
+// with a larger key on its way is asked later. The search itself need only tell where keys are equal and the order
+// matters.
+std::size_t Hierarchy::settle(const Ray& ray, double best, std::span<const Found> hits) const {
+  struct Turn {
+    double key;
+    std::size_t hit;
+  };
+  constexpr std::size_t kMost = 16;
+  Turn turns[kMost];
+  if (hits.size() > kMost || any_copies(hits)) return settle_by_search(ray, best, hits);
+  const Slabs slabs(ray);
+  Turn* end = turns;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    if (comes_to(slabs, hits[i].entry, end->key)) end++->hit = i;
+  std::sort(turns, end, [](const Turn& a, const Turn& b) { return a.key < b.key; });
+  std::size_t stays = hits.size();
+  double nearest_yet = best;
+  for (const Turn *turn = turns, *next; turn != end && turn->key <= nearest_yet; turn = next) {
+    // Those whose turn comes at the same time.
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = hits.size();
+    bool equal = false, ends_search = false;
+    for (next = turn; next != end && next->key == turn->key; ++next) {
+      const double t = hits[next->hit].t;
+      equal = t == least || (equal && t > least);
+      ends_search = ends_search || t < turn->key;
+      if (t < least) least = t, nearest = next->hit;
+    }
+    if (!(least < nearest_yet)) continue;
+    if (next - turn > 1 && (equal || ends_search)) return settle_by_search(ray, best, hits);
+    nearest_yet = least, stays = nearest;
+  }
+  return stays;
+}
+
+std::size_t Hierarchy::settle_by_search(const Ray& ray, double best, std::span<const Found> hits) const {
+  std::size_t stays = hits.size(), asked = 0;
+  // What else the search asks lies further away and changes nothing.
+  search(ray, best, [&](std::uint32_t entry) {
+    const auto hit = std::ranges::lower_bound(hits, entry, {}, &Found::entry);
+    if (hit != hits.end() && hit->entry == entry) {
+      if (hit->t < best) best = hit->t, stays = static_cast<std::size_t>(hit - hits.begin());
+      ++asked;
+    }
+    return asked == hits.size() ? -std::numeric_limits<double>::infinity() : best;
+  });
+  return stays;
+}
+
 std::vector<std::uint32_t> Hierarchy::in_turn() const {
   std::vector<std::uint32_t> entries, waiting;
   if (!nodes_.empty()) waiting.push_back(root_);

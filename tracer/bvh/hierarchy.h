@@ -57,16 +57,17 @@ class Hierarchy {
   // All entries in the order in which POV-Ray comes to those around a point: into each box as it is met.
   std::vector<std::uint32_t> in_turn() const;
 
+  // The following ask for this once, and entries to be the places of their items.
+  void find_parents();
   // Whether a search that finds nothing else comes to `entry`: rounding refuses rays that graze an edge of its box.
-  bool reaches(const Ray& ray, std::uint32_t entry) const {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    bool reached = false;
-    search(ray, kFar, [&](std::uint32_t asked) {
-      reached = reached || asked == entry;
-      return reached ? -kFar : kFar;
-    });
-    return reached;
-  }
+  bool reaches(const Ray& ray, std::uint32_t entry) const;
+  struct Found {
+    std::uint32_t entry;
+    double t;
+  };
+  // Which of the hits of some entries (two or more), in their order, is left by a search that finds nothing else nearer
+  // than `best`; their number: none.
+  std::size_t settle(const Ray& ray, double best, std::span<const Found> hits) const;
 
  private:
   static constexpr double kFirst = -1e7;  // the key of the root and of what has no box
@@ -111,6 +112,13 @@ class Hierarchy {
     int sign_[3];
   };
 
+  // The largest key on the way from the root to an entry, after which the search asks it; false: it does not come
+  // there.
+  bool comes_to(const Slabs& slabs, std::uint32_t entry, double& key) const;
+  // Whether the nearest are hits at the same distance, in equal boxes.
+  bool any_copies(std::span<const Found> hits) const;
+  std::size_t settle_by_search(const Ray& ray, double best, std::span<const Found> hits) const;
+
   // A node and its box, side by side for sorting.
   struct Boxed {
     scene::Bounds bounds;
@@ -121,7 +129,7 @@ class Hierarchy {
   void split(std::span<Boxed> range, std::span<double> areas, std::vector<Boxed>& nodes);
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> children_;
+  std::vector<std::uint32_t> children_, parents_;
   std::uint32_t root_ = 0;
 };
 

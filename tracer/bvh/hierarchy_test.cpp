@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace verisim::accel {
 namespace {
 
@@ -56,6 +59,44 @@ TEST(Hierarchy, EveryBoxOnTheWayIsAskedFromNearToFar) {
     ASSERT_EQ(order.size(), count);
     for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(items[order[k]].bounds.low[2], static_cast<float>(k) - 5);
   }
+}
+
+// Hits of a few entries, some of them in the faces of their boxes, some at equal distances: what a whole search leaves.
+TEST(Hierarchy, SettlesAsASearchDoes) {
+  std::mt19937 random(5);
+  const auto number = [&](int n) { return static_cast<float>(random() % static_cast<unsigned>(n)); };
+  std::vector<Hierarchy::Item> items;
+  for (std::uint32_t i = 0; i < 400; ++i)
+    items.push_back({i, box(number(8) / 4 - 1, number(8) / 4 - 1, number(40) / 4 - 5, 0.25f + number(4) / 2), i == 7});
+  Hierarchy hierarchy(items);
+  hierarchy.find_parents();
+  int settled = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const Vec3 direction(number(5) * 0.01, number(5) * 0.01, 1);
+    const Ray ray{{0.5 - number(3) * 0.1, 0.5, -10 - number(2)}, direction};
+    std::vector<Hierarchy::Found> hits;
+    for (std::uint32_t entry = 0; entry < items.size(); ++entry)
+      if (number(60) == 0) hits.push_back({entry, 8 + number(16) / 4});
+    if (hits.size() < 2) continue;
+    const double best = round % 4 == 0 ? 9.5 : HUGE_VAL;
+    std::size_t expected = hits.size();
+    double nearest = best;
+    std::vector<bool> reached(items.size());
+    hierarchy.search(ray, best, [&](std::uint32_t entry) {
+      for (std::size_t i = 0; i < hits.size(); ++i)
+        if (hits[i].entry == entry && hits[i].t < nearest) nearest = hits[i].t, expected = i;
+      return nearest;
+    });
+    hierarchy.search(ray, HUGE_VAL, [&](std::uint32_t entry) {
+      reached[entry] = true;
+      return HUGE_VAL;
+    });
+    ASSERT_EQ(hierarchy.settle(ray, best, hits), expected) << round;
+    for (std::uint32_t entry = 0; entry < items.size(); ++entry)
+      ASSERT_EQ(hierarchy.reaches(ray, entry), reached[entry]) << round << ' ' << entry;
+    settled += expected < hits.size();
+  }
+  EXPECT_GT(settled, 500);
 }
 
 }  // namespace

@@ -317,6 +317,7 @@ const Hierarchy& World::Impl::hierarchy() const {
       items.push_back({i, shown.bounds, scene::is_infinite(shown)});
     }
     made_hierarchy = Hierarchy(std::move(items));
+    made_hierarchy.find_parents();
   });
   return made_hierarchy;
 }
@@ -342,21 +343,16 @@ void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coinciden
   if (there.size() < 2) return;
   const auto entry_of = [](const Coincidences::Met* met) { return met->entry; };
   std::ranges::sort(there, {}, entry_of);
-  double best = t_max;
-  const auto ask = [&](const Coincidences::Met& met) {
-    if (met.hit.t < best) hit = met.hit, best = hit.t;
-  };
   if (in_order) {
-    for (const Coincidences::Met* met : there) ask(*met);
+    double best = t_max;
+    for (const Coincidences::Met* met : there)
+      if (met->hit.t < best) hit = met->hit, best = hit.t;
     return;
   }
-  // What else the search asks lies further away and changes nothing.
-  std::size_t asked = 0;
-  hierarchy().search(ray, best, [&](std::uint32_t entry) {
-    const auto place = std::ranges::lower_bound(there, entry, {}, entry_of);
-    if (place != there.end() && (*place)->entry == entry) ask(**place), ++asked;
-    return asked == there.size() ? -std::numeric_limits<double>::infinity() : best;
-  });
+  thread_local std::vector<Hierarchy::Found> hits;
+  hits.clear();
+  for (const Coincidences::Met* met : there) hits.push_back({met->entry, met->hit.t});
+  if (const std::size_t stays = hierarchy().settle(ray, t_max, hits); stays < there.size()) hit = there[stays]->hit;
 }
 
 void World::enter(const Shaft& shaft, WorldEntry& entry) const {

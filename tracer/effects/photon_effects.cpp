@@ -42,15 +42,15 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
   const Rgb pigment = layer.pigment.rgb();
   const Vec3 normal = layer.normal, raw = at.raw;
   const double r = state.gathered.radius;
-  const auto per_area = static_cast<float>(1.0 / (kPi * r * r));
+  const auto per_area = static_cast<float>(1.0 / (kPi * r * r));  // of the whole sum, as in POV-Ray
   Rgb sum;
   if (plain && finish.brilliance == 1.0f) {
     const float behind = !both_sides ? 0.0f : at.surface.double_illuminate ? finish.diffuse : finish.diffuse_back;
     add_light(state.gathered.photons,
-              {normal, raw, pigment, per_area, shading::diffuse_share(layer.opacity, std::max(finish.diffuse, 0.0f)),
+              {normal, raw, pigment, shading::diffuse_share(layer.opacity, std::max(finish.diffuse, 0.0f)),
                shading::diffuse_share(layer.opacity, std::max(behind, 0.0f))},
               sum);
-    return sum;
+    return sum * per_area;
   }
   for (std::size_t i = 0; i < state.gathered.photons.size(); ++i) {
     const Photon& photon = state.gathered.photons[i];
@@ -61,7 +61,7 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
     const bool back = behind && !at.surface.double_illuminate;
     const float diffuse = back ? finish.diffuse_back : finish.diffuse;
     const double slant = std::max(0.1, dot(raw, direction));
-    const Rgb intensity = photon.color() * static_cast<float>(per_area / slant);
+    const Rgb intensity = photon.color() * static_cast<float>(1 / slant);
     if (!plain) {
       sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, diffuse, !ray.gather && !back);
     } else if (diffuse > 0) {
@@ -69,7 +69,7 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
       sum += scaled(pigment, share) * intensity;
     }
   }
-  return sum;
+  return sum * per_area;
 }
 
 bool SceneEffects::photons_block(const shapes::Surface* lit, const shapes::Surface& occluder,

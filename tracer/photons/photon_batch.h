@@ -15,11 +15,10 @@ struct alignas(64) PhotonBatch {
   float r[kMax], g[kMax], b[kMax];   // energy; then what is added
 };
 
-// A layer whose brilliance is 1, and the disc that its photons are from.
+// A layer whose brilliance is 1.
 struct PhotonSurface {
   Vec3 normal, raw;  // to shade with; geometric
   Rgb pigment;
-  double per_area;       // one by the disc's area
   double front, behind;  // opacity * diffuse coefficient on the side that is turned to a photon's light, and on the
                          // other; 0: nothing is added
 };
@@ -32,7 +31,7 @@ const PhotonBatchKernels& photon_batch_kernels();
 // Those of any instruction set, for tests; null: this machine cannot run it.
 const PhotonBatchKernels* photon_batch_kernels(int instruction_set);
 
-// Adds the light of the photons to `sum`, in their order.
+// Adds the light of the photons to `sum`, in their order; it is to be divided by the area of the disc they are from.
 void add_light(const SomePhotons& photons, const PhotonSurface& surface, Rgb& sum);
 
 }  // namespace verisim::global

@@ -26,14 +26,14 @@ void shade_channel(std::size_t end, float pigment, const double* share, const fl
 
 void shade(const PhotonSurface& surface, std::size_t count, PhotonBatch& batch) {
   const Vec3 &n = surface.normal, &raw = surface.raw;
-  const double front = surface.front, behind = surface.behind, per_area = surface.per_area;
+  const double front = surface.front, behind = surface.behind;
   const std::size_t end = (count + 7) / 8 * 8;
   double share[PhotonBatch::kMax];
   float intensity[PhotonBatch::kMax];
   for (std::size_t i = 0; i < end; ++i) {
     const double cosine = n.x * batch.x[i] + n.y * batch.y[i] + n.z * batch.z[i];
     const double slant = raw.x * batch.x[i] + raw.y * batch.y[i] + raw.z * batch.z[i];
-    intensity[i] = static_cast<float>(per_area / (slant > 0.1 ? slant : 0.1));
+    intensity[i] = static_cast<float>(1 / (slant > 0.1 ? slant : 0.1));
     share[i] = (cosine < kEpsilon ? behind : front) * std::fabs(cosine);
   }
   shade_channel(end, surface.pigment.r, share, intensity, batch.r);

@@ -31,12 +31,9 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
   Case c;
   const float opacity = kind % 5 == 0 ? -0.3f : 0.8f, diffuse = kind % 3 == 1 ? 0.0f : 0.7f,
               back = kind % 2 == 0 ? 0.0f : 0.4f;
-  c.surface = {direction(),
-               direction(),
-               color(),
-               static_cast<float>(3.7 + u(generator)),
-               shading::diffuse_share(opacity, diffuse),
-               shading::diffuse_share(opacity, back)};
+  c.surface = {direction(), direction(), color(),
+
+               shading::diffuse_share(opacity, diffuse), shading::diffuse_share(opacity, back)};
   for (std::size_t i = 0; i < count; ++i) {
     Photon p;
     p.energy = Photon::encode(color());
@@ -45,7 +42,7 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
     const double cosine = dot(c.surface.normal, p.direction()),
                  slant = std::max(0.1, dot(c.surface.raw, p.direction()));
     const float coefficient = cosine < kEpsilon ? back : diffuse;
-    const Rgb intensity = p.color() * static_cast<float>(c.surface.per_area / slant);
+    const Rgb intensity = p.color() * static_cast<float>(1 / slant);
     c.expected.push_back(coefficient > 0
                              ? scaled(c.surface.pigment, shading::diffuse_share(opacity, coefficient, 1.0f, cosine)) *
                                    intensity

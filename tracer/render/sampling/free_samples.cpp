@@ -44,7 +44,7 @@ Color PixelSampler::free_sample(const Vec2& place) {
 
 // Those at the wavefront's places.
 void PixelSampler::free_points(int count, Color* colors) {
-  if (std::isfinite(camera_.limit())) return one_by_one(count, colors);
+  if (camera_.limit() < accel::kFarthestHit) return one_by_one(count, colors);
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
   Vec2 places[shading::Wavefront::kMax];
   std::copy_n(wavefront_.places(), count, places);

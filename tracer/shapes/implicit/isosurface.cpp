@@ -7,12 +7,11 @@
 #include <limits>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "tracer/functions/function.h"
 #include "tracer/shapes/implicit/container.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/implicit/isosurface_batch.h"
+#include "tracer/shapes/implicit/isosurface_findings.h"
 #include "tracer/shapes/implicit/isosurface_search.h"
 #include "tracer/shapes/primitive.h"
 
@@ -140,7 +139,12 @@ class Isosurface final : public Primitive<Isosurface> {
     Shape::intersect_packet_between({rays.rays, rays.first, batch.alone}, kind, from, to, hits);
   }
 
-  std::string finding() const final { return surface_.evaluate ? evaluate_finding() : gradient_finding(); }
+  std::string finding() const final {
+    if (!surface_.evaluate) return max_gradient_finding(steepest_, max_gradient_);
+    return rays_ == 0 ? std::string()
+                      : evaluate_finding(*surface_.evaluate, adapted_gradient_, largest_raise_,
+                                         sum_of_gradients_ / static_cast<double>(rays_));
+  }
 
   bool contains(const Vec3& p) const {
     const Vec3 q = local(p);
@@ -233,9 +237,6 @@ class Isosurface final : public Primitive<Isosurface> {
     while (!sum.compare_exchange_weak(known, known + v, std::memory_order_relaxed)) {
     }
   }
-  std::string gradient_finding() const;
-  std::string evaluate_finding() const;
-
   const std::uint64_t number_ = ++isosurfaces_made;
   scene::Isosurface surface_;
   IsosurfaceField field_{surface_, nullptr};
@@ -263,29 +264,6 @@ class Isosurface final : public Primitive<Isosurface> {
   mutable std::atomic<double> steepest_{0}, largest_raise_{0}, sum_of_gradients_{0};
   mutable std::atomic<std::uint64_t> rays_{0};
 };
-
-std::string Isosurface::gradient_finding() const {
-  const double found = steepest_, set = max_gradient_;
-  if (!(found > kEpsilon && set > kEpsilon)) return {};
-  const double too_much = set - found, ratio = set / found;
-  const std::string start = fmt::format(
-      "The maximum gradient found was {:.3f}, but max_gradient of the isosurface was set to {:.3f}. ", found, set);
-  if ((ratio <= 0.9 && too_much <= -0.5) || ((ratio <= 0.95 || too_much <= -0.1) && set < 10))
-    return start + "The isosurface may contain holes! Adjust max_gradient to get a proper rendering of the isosurface.";
-  if (too_much >= 10 || (ratio >= 1.1 && too_much >= 0.5))
-    return start + "Adjust max_gradient to get a faster rendering of the isosurface.";
-  return {};
-}
-
-std::string Isosurface::evaluate_finding() const {
-  const double largest = adapted_gradient_, variation = largest_raise_;
-  if (rays_ == 0 || !(surface_.evaluate->x > largest || surface_.evaluate->y > largest / (largest - variation)))
-    return {};
-  return fmt::format(
-      "Evaluate found a maximum gradient of {:.3f} and an average gradient of {:.3f}. The maximum gradient variation "
-      "was {:.3f}.",
-      largest, sum_of_gradients_ / static_cast<double>(rays_), variation);
-}
 
 template <class Value, class Sink>
 bool Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, Sink& sink) const {

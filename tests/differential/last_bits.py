@@ -6,7 +6,8 @@ usage: last_bits.py [--verisim PROGRAM] [--size 320x240] [--only TEXT] [--kept F
 
 Prints how many pixels of which scenes differ, and by how much (--all: also of those that do not). With --kept the
 pictures stay in FOLDER (NAME.pov.png, NAME.ours.png), for finding the order with numpy: it is one of the few there are,
-which has no pixel off. Exit status 1 if a scene differs in more than KNOWN says; 77: there is no POV-Ray.
+which has no pixel off. Exit status 1 if a scene differs in more pixels than KNOWN says, or by more than one unit; 77:
+there is no POV-Ray.
 """
 import argparse
 import concurrent.futures
@@ -194,8 +195,8 @@ SCENES["photons"] = (
     .replace("ambient 0.13", "reflection 0.6 ambient 0.13"),
 )
 
-# Not understood: so many of 76,800 pixels differ by one of 65,536.
-KNOWN = {"photons": 4, "radiosity": 14}
+# Not understood: some of 76,800 pixels differ by one of 65,536, 4 and 14 on one processor, 5 and 3 on another.
+KNOWN = {"photons": 20, "radiosity": 40}
 
 
 def render(program, scene, picture, size, extra):
@@ -213,11 +214,11 @@ def difference(name, options, folder):
         render(options.povray, scene, pov, options.size, [*switches, "+WT1"])
         render(options.verisim, scene, ours, options.size, [*switches, "+WT1", "--replay"])
     except subprocess.CalledProcessError as error:
-        return -1, f"{name}: {(error.stderr or b'').decode(errors='replace')[-300:]}"
+        return -1, 0, f"{name}: {(error.stderr or b'').decode(errors='replace')[-300:]}"
     (_, _, a), (_, _, b) = png.read(pov), png.read(ours)
     largest = [max(abs(x - y) for x, y in zip(a[k : k + 3], b[k : k + 3])) for k in range(0, len(a), 3)]
     count = sum(l > 0 for l in largest)
-    return count, f"{name}: {count} px by {max(largest)}"
+    return count, max(largest), f"{name}: {count} px by {max(largest)}"
 
 
 def main():
@@ -238,8 +239,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         folder = options.kept.resolve() if options.kept else pathlib.Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
-        for name, (count, told) in zip(names, pool.map(lambda name: difference(name, options, folder), names)):
-            unknown += count < 0 or count > KNOWN.get(name, 0)
+        for name, (count, most, told) in zip(names, pool.map(lambda name: difference(name, options, folder), names)):
+            unknown += count < 0 or count > KNOWN.get(name, 0) or most > 1
             if count or options.all:
                 print(told, flush=True)
     return 1 if unknown else 0

@@ -14,10 +14,9 @@ bool IrradianceCache::include_in_root(const LatticeCell& cell) {
   }
   LatticeCell a = root_, b = cell;
   // Indices are never negative: the lattice starts at -1e7.
-  const auto parent = [](const LatticeCell& c) { return LatticeCell{c.x >> 1, c.y >> 1, c.z >> 1, c.level + 1}; };
-  while (a.level < b.level) a = parent(a);
-  while (b.level < a.level) b = parent(b);
-  while (a.x != b.x || a.y != b.y || a.z != b.z) a = parent(a), b = parent(b);
+  while (a.level < b.level) a = a.parent();
+  while (b.level < a.level) b = b.parent();
+  while (a != b) a = a.parent(), b = b.parent();
   const bool changed = !(a == root_);
   root_ = a;
   return changed;
@@ -61,16 +60,17 @@ void IrradianceCache::add(const IrradianceSample& sample) {
     r.half = side;
     cell = {static_cast<std::int64_t>(index[0]), static_cast<std::int64_t>(index[1]),
             static_cast<std::int64_t>(index[2]), level};
-    if (fits || level > 60) break;
+    if (fits || level >= LatticeCell::kMaxLevel) break;
   }
   const auto index = static_cast<std::uint32_t>(samples_.size());
-  std::size_t bytes = samples_.size() * (sizeof(IrradianceSample) + sizeof(DoubledCell));
+  std::size_t bytes = samples_.size() * (sizeof(IrradianceSample) + sizeof(DoubledCell) + sizeof(OctreeOrder));
   for (const Depth& d : depths_) bytes += d.tree.bytes();
   if (bytes > memory_limit_)
     throw render::LimitExceeded("radiosity samples take more than " + std::to_string(memory_limit_ >> 20) +
                                 " MiB: raise error_bound or minimum_reuse, or allow more memory");
   samples_.push_back(sample);
   doubled_cells_.push_back(r);
+  orders_.emplace_back(cell);
   if (static_cast<int>(depths_.size()) <= sample.depth) depths_.resize(static_cast<std::size_t>(sample.depth) + 1);
   depths_[static_cast<std::size_t>(sample.depth)].tree.add(index, [this](std::uint32_t i) { return entry(i); });
   if (include_in_root(cell)) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tracer/radiosity/irradiance_tree.h"
+#include "tracer/radiosity/octree_order.h"
 #include "tracer/math/color.h"
 #include "tracer/math/vec.h"
 
@@ -43,6 +44,13 @@ class IrradianceCache {
   void set_memory_limit(std::uint64_t bytes) { memory_limit_ = bytes; }
   const std::vector<IrradianceSample>& samples() const { return samples_; }
   bool empty() const { return samples_.empty(); }
+  // Whether POV-Ray's lookup comes to sample a of this cache before sample b: the last that was filed in a cell is the
+  // first of it.
+  bool comes_before(const IrradianceSample& a, const IrradianceSample& b) const {
+    const auto i = &a - samples_.data(), j = &b - samples_.data();
+    const auto order = orders_[i] <=> orders_[j];
+    return order != 0 ? order < 0 : i > j;
+  }
 
   // Calls visit(sample, squared distance) for every sample of this depth that POV-Ray's lookup finds from x and that is
   // nearer than bound * its mean distance, in the order they were added. Those may be left out of which the larger of
@@ -87,11 +95,6 @@ class IrradianceCache {
       return std::fabs(x.x - center.x) < half && std::fabs(x.y - center.y) < half && std::fabs(x.z - center.z) < half;
     }
   };
-  struct LatticeCell {
-    std::int64_t x = 0, y = 0, z = 0;
-    int level = 0;
-    friend bool operator==(const LatticeCell&, const LatticeCell&) = default;
-  };
   struct Depth {
     IrradianceTree tree;
     std::vector<std::uint32_t> in_root;  // samples filed in the root cell
@@ -104,6 +107,7 @@ class IrradianceCache {
   std::uint64_t memory_limit_ = std::numeric_limits<std::uint64_t>::max();
   std::vector<IrradianceSample> samples_;
   std::vector<DoubledCell> doubled_cells_;
+  std::vector<OctreeOrder> orders_;
   std::vector<Depth> depths_;
   LatticeCell root_;  // smallest lattice cell that contains all cells in use
   bool has_root_ = false;

@@ -34,6 +34,14 @@ class NormalFrame {
   int pole_;
 };
 
+// c with a share of its grey, times the brightness (spec 07 2.5), rounded as there: blue twice more than the others.
+Rgb adjusted(const Rgb& c, double share, double brightness) {
+  const double grey = static_cast<float>(0.297 * c.r + 0.589 * c.g + 0.114 * c.b) * share, left = 1.0 - share;
+  const auto blue = static_cast<float>(static_cast<float>(c.b * left) + grey);
+  return {static_cast<float>((c.r * left + grey) * brightness), static_cast<float>((c.g * left + grey) * brightness),
+          static_cast<float>(blue * brightness)};
+}
+
 // The rays of one sample, drawn as POV-Ray does (spec 07 2.7), or on a lattice.
 class SampleRays {
  public:
@@ -139,13 +147,12 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
   IrradianceBatch& batch = batch_;
   const IrradianceSample* samples[IrradianceBatch::kMax];
   int count = 0;
-  const auto add_row = [&] {
+  contributions_.clear();
+  const auto weigh_row = [&] {
     kernels.weigh(weights, count, batch);
     for (int i = 0; i < count; ++i) {
-      if (!(batch.weight[i] > IrradianceBatch::kNone)) continue;
-      const double weight = batch.weight[i] * samples[i]->quality;
-      estimate.sum += scaled(samples[i]->irradiance, weight);
-      estimate.weight += weight;
+      if (batch.weight[i] > IrradianceBatch::kNone)
+        contributions_.push_back({samples[i], batch.weight[i] * samples[i]->quality});
     }
     count = 0;
   };
@@ -157,9 +164,17 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
     batch.mean_distance[count] = s.mean_distance;
     batch.nearest_distance[count] = s.nearest_distance;
     samples[count++] = &s;
-    if (count == IrradianceBatch::kMax) add_row();
+    if (count == IrradianceBatch::kMax) weigh_row();
   });
-  if (count > 0) add_row();
+  if (count > 0) weigh_row();
+  // The last bit of the sum hangs on the order.
+  std::ranges::sort(contributions_, [&](const Contribution& a, const Contribution& b) {
+    return cache.comes_before(*a.sample, *b.sample);
+  });
+  for (const Contribution& c : contributions_) {
+    estimate.sum += scaled(c.sample->irradiance, c.weight);
+    estimate.weight += c.weight;
+  }
 }
 
 Rgb RadiosityTask::irradiance(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes) {
@@ -182,16 +197,18 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, FinalGatherer& gather
     shading::FinalGatherNotes of_sample;
     const Rgb sample = take_sample(query, gatherer, of_sample);
     const double total = estimate.weight + of_sample.quality;
-    result =
-        estimate.weight > 0.0 && total > 0.0 ? scaled(estimate.sum + sample * of_sample.quality, 1.0 / total) : sample;
+    if (estimate.weight > 0.0 && total > 0.0) {
+      const Rgb before = scaled(scaled(estimate.sum, 1.0 / estimate.weight), estimate.weight);
+      result = scaled(before + scaled(sample, of_sample.quality), 1.0 / total);
+    } else {
+      result = sample;
+    }
     estimate.weight = total;
     notes.quality = std::max(notes.quality, of_sample.quality);
     notes.importance = of_sample.importance;
   }
   notes.quality = std::min(notes.quality, static_cast<float>(4.0 * estimate.weight / required));
-  const auto g = static_cast<float>(d.gray_threshold);
-  if (g > 0.0f) result = result * (1.0f - g) + Rgb(result.grey() * g);
-  return result * static_cast<float>(d.brightness);
+  return adjusted(result, d.gray_threshold, d.brightness);
 }
 
 Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes) {
@@ -202,9 +219,9 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gathe
   if (!workspace) workspace = std::make_unique<Gathering>();
 
   Rgb sum;
-  float quality_sum = 0, nearest = 2e10f;
+  float nearest = 2e10f;
   Vec3 nearest_direction(0, 0, 0);
-  double inverse_sum = 0;
+  double quality_sum = 0, inverse_sum = 0;
   for (int done = 0; done < n;) {
     const int together = std::min(n - done, kGatheredTogether);
     done += together;
@@ -227,8 +244,8 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gathe
       if (g.distance < nearest) nearest = static_cast<float>(g.distance), nearest_direction = ray.direction;
     }
   }
-  const Rgb irradiance = quality_sum > 0.0f ? sum * (1.0f / quality_sum) : sum;
-  const float quality = notes.quality = quality_sum / static_cast<float>(n);
+  const Rgb irradiance = quality_sum > 0.0 ? scaled(sum, 1.0 / quality_sum) : sum;
+  const float quality = notes.quality = static_cast<float>(quality_sum / n);
 
   const Vec3 from_camera = query.point - settings_.camera_location();
   const double distance = length(from_camera), scale = std::ldexp(1.0, query.depth);

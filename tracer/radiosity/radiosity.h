@@ -101,6 +101,10 @@ class RadiosityTask {
     Rgb sum;
     double weight = 0;
   };
+  struct Contribution {
+    const IrradianceSample* sample;
+    double weight;
+  };
   void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,
                   Estimate& estimate);
   Rgb take_sample(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes);
@@ -121,6 +125,7 @@ class RadiosityTask {
   };
   std::array<std::unique_ptr<Gathering>, kMaxRadiosityDepth> gathering_;
   IrradianceBatch batch_;  // of accumulate
+  std::vector<Contribution> contributions_;
 };
 
 }  // namespace verisim::global

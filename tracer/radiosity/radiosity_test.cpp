@@ -69,6 +69,36 @@ TEST(IrradianceCache, SamplesBeforeTheLatticeBeginsAreInNoCell) {
   EXPECT_EQ(cache.samples().size(), 2u);
 }
 
+TEST(OctreeOrder, ChildrenComeBeforeTheirNodeByXThenYThenZ) {
+  const LatticeCell node{5, 9, 3, 2};
+  std::vector<LatticeCell> walk;
+  for (int child = 0; child < 8; ++child)
+    walk.push_back({2 * node.x + (child >> 2), 2 * node.y + (child >> 1 & 1), 2 * node.z + (child & 1), 1});
+  walk.push_back(node);
+  walk.push_back({node.x, node.y, node.z + 1, 2});             // the upper half along z of what holds both
+  walk.push_back({4 * node.x, 4 * (node.y + 1), 0, 0});        // a small one beyond, along y
+  walk.push_back({node.x >> 2, node.y >> 2, node.z >> 2, 4});  // what holds all of them
+  for (std::size_t i = 1; i < walk.size(); ++i)
+    EXPECT_LT(OctreeOrder(walk[i - 1]), OctreeOrder(walk[i])) << "cell " << i;
+}
+
+TEST(OctreeOrder, HoldsTheLargestCellsThereAre) {
+  const LatticeCell largest{0, 0, 0, LatticeCell::kMaxLevel}, smallest{(std::int64_t{1} << 38) - 1, 0, 0, -6};
+  EXPECT_LT(OctreeOrder(smallest), OctreeOrder(largest));
+  EXPECT_LT(OctreeOrder(LatticeCell{0, 0, 0, 40}), OctreeOrder(largest));
+}
+
+TEST(IrradianceCache, SamplesOfOneCellComeTheLastOneFirst) {
+  IrradianceCache cache(1.8, 2.05);
+  IrradianceSample s;
+  s.normal = {0, 1, 0}, s.mean_distance = 1;
+  for (const Vec3 point : {Vec3(0.1, 0, 0), Vec3(0.11, 0, 0), Vec3(-40, 0, 0)}) s.point = point, cache.add(s);
+  const auto& samples = cache.samples();
+  EXPECT_TRUE(cache.comes_before(samples[1], samples[0]));
+  EXPECT_TRUE(cache.comes_before(samples[2], samples[0]));
+  EXPECT_FALSE(cache.comes_before(samples[0], samples[0]));
+}
+
 TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
   // At depth 0 nothing within reach may be lost (spec 07 2.8).
   std::mt19937 generator(11);

@@ -43,8 +43,8 @@ struct RayState {
 
   shapes::RayKind kind() const {
     using shapes::RayKind;
-    if (reflected) return RayKind::reflected;
-    if (gather) return RayKind::radiosity;
+    if (reflected) return gather ? RayKind::radiosity_reflected : RayKind::reflected;
+    if (gather) return refracted ? RayKind::radiosity_refracted : RayKind::radiosity;
     return primary ? RayKind::camera : RayKind::refracted;
   }
 };

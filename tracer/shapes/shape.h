@@ -46,8 +46,19 @@ struct LaneHits {
   std::size_t begin[RayPacket::kCount] = {}, end[RayPacket::kCount] = {};
 };
 
-// Which rays see an object (spec 03 5.5, 06 10.3).
-enum class RayKind : unsigned char { camera, refracted, reflected, radiosity, shadow, photon, query };
+// Which rays see an object (spec 03 5.5, 06 10.3). Radiosity's, too, are other ones behind a transparent surface and in a
+// mirror.
+enum class RayKind : unsigned char {
+  camera,
+  refracted,
+  reflected,
+  radiosity,
+  radiosity_refracted,
+  radiosity_reflected,
+  shadow,
+  photon,
+  query
+};
 
 // Everything shading needs to know of the object a primitive belongs to; filled by accel::World when it compiles (null
 // in bare queries).

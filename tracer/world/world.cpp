@@ -27,9 +27,11 @@ bool has_tree(const scene::Object& o) {
 
 unsigned hidden_from(const scene::Object& o) {
   unsigned bits = 0;
-  if (o.no_image) bits |= bit(RayKind::camera) | bit(RayKind::refracted) | bit(RayKind::photon);
-  if (o.no_reflection) bits |= bit(RayKind::reflected);
-  if (o.no_radiosity) bits |= bit(RayKind::radiosity);
+  if (o.no_image)
+    bits |= bit(RayKind::camera) | bit(RayKind::refracted) | bit(RayKind::radiosity_refracted) | bit(RayKind::photon);
+  if (o.no_reflection) bits |= bit(RayKind::reflected) | bit(RayKind::radiosity_reflected);
+  if (o.no_radiosity)
+    bits |= bit(RayKind::radiosity) | bit(RayKind::radiosity_refracted) | bit(RayKind::radiosity_reflected);
   if (o.no_shadow) bits |= bit(RayKind::shadow) | bit(RayKind::photon);
   return bits;
 }

@@ -153,10 +153,11 @@ struct CsgTree::Builder {
 unsigned hidden_from(const scene::Object& child, bool merge) {
   const auto bit = [](RayKind kind) { return 1u << static_cast<unsigned>(kind); };
   unsigned bits = 0;
-  if (child.no_image) bits |= bit(RayKind::refracted);
+  if (child.no_image) bits |= bit(RayKind::refracted) | bit(RayKind::radiosity_refracted);
   if (child.no_image && merge) bits |= bit(RayKind::camera) | bit(RayKind::query);
-  if (child.no_reflection) bits |= bit(RayKind::reflected);
-  if (child.no_radiosity) bits |= bit(RayKind::radiosity);
+  if (child.no_reflection) bits |= bit(RayKind::reflected) | bit(RayKind::radiosity_reflected);
+  if (child.no_radiosity)
+    bits |= bit(RayKind::radiosity) | bit(RayKind::radiosity_refracted) | bit(RayKind::radiosity_reflected);
   if (child.no_shadow) bits |= bit(RayKind::photon);
   return bits;
 }

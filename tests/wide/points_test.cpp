@@ -17,38 +17,97 @@ namespace {
 using textures::PointBatch, textures::SurfacePoint;
 
 constexpr const char* kPatterns[] = {
-    "agate agate_turb .7", "aoi", "boxed", "bozo", "brick Dark, Light brick_size .7 mortar .1", "bumps", "cells",
-    "checker Dark, Light", "crackle", "crackle metric 1 offset .2", "crackle form <1,.3,-.2> metric 3", "crackle solid",
-    "cylindrical", "dents", "granite", "gradient <1,.2,0>", "gradient y",
-    "hexagon Dark, Light, Bright", "julia <.353,.288>, 50 interior 1, .7", "leopard", "magnet 1 mandel 90 exterior 1, 3",
-    "magnet 2 julia <.1,.4>, 40 exterior 3, .2", "mandel 200 exterior 4, .3 interior 6, .7",
-    "mandel 30 exponent 4 exterior 8, 2", "mandel 20 exponent 33", "marble", "object { Ball Dark, Light }", "onion",
-    "pavement number_of_sides 6 number_of_tiles 3 pattern 2 exterior 1", "pigment_pattern { Leaf }",
-    "pigment_pattern { pigment_pattern { Deep } color_map { [0 Dark] [1 Light] } scale .9 }", "planar",
-    "quilted control0 .3 control1 .7", "radial", "ripples", "slope { <0,1,.2>, .1, .8 altitude y, -2, 2 }", "spherical",
-    "spiral1 3", "spiral2 5", "spotted", "square Dark, Light, Bright, Dark", "tiling 7", "triangular Dark, Light, Bright,"
-    " Dark, Light, Bright", "waves", "wood", "wrinkles", "image_map { function 16, 16 { Grid(x,y,z) } interpolate 2 }",
+    "agate agate_turb .7",
+    "aoi",
+    "boxed",
+    "bozo",
+    "brick Dark, Light brick_size .7 mortar .1",
+    "bumps",
+    "cells",
+    "checker Dark, Light",
+    "crackle",
+    "crackle metric 1 offset .2",
+    "crackle form <1,.3,-.2> metric 3",
+    "crackle solid",
+    "cylindrical",
+    "dents",
+    "granite",
+    "gradient <1,.2,0>",
+    "gradient y",
+    "hexagon Dark, Light, Bright",
+    "julia <.353,.288>, 50 interior 1, .7",
+    "leopard",
+    "magnet 1 mandel 90 exterior 1, 3",
+    "magnet 2 julia <.1,.4>, 40 exterior 3, .2",
+    "mandel 200 exterior 4, .3 interior 6, .7",
+    "mandel 30 exponent 4 exterior 8, 2",
+    "mandel 20 exponent 33",
+    "marble",
+    "object { Ball Dark, Light }",
+    "onion",
+    "pavement number_of_sides 6 number_of_tiles 3 pattern 2 exterior 1",
+    "pigment_pattern { Leaf }",
+    "pigment_pattern { pigment_pattern { Deep } color_map { [0 Dark] [1 Light] } scale .9 }",
+    "planar",
+    "quilted control0 .3 control1 .7",
+    "radial",
+    "ripples",
+    "slope { <0,1,.2>, .1, .8 altitude y, -2, 2 }",
+    "spherical",
+    "spiral1 3",
+    "spiral2 5",
+    "spotted",
+    "square Dark, Light, Bright, Dark",
+    "tiling 7",
+    "triangular Dark, Light, Bright,"
+    " Dark, Light, Bright",
+    "waves",
+    "wood",
+    "wrinkles",
+    "image_map { function 16, 16 { Grid(x,y,z) } interpolate 2 }",
     "image_map { function 9, 7 { Grid(x,y,z) } map_type 1 once interpolate 4 }",
-    "image_pattern { function 16, 16 { Grid(x,y,z) } }", "function { sin(3*x)*cos(2*y)+f_noise(x,y,z)*abs(z) }",
-    "function { Asked(x*.9, y*1.2, z).gray }", "function { pattern { granite scale .4 } }",
+    "image_pattern { function 16, 16 { Grid(x,y,z) } }",
+    "function { sin(3*x)*cos(2*y)+f_noise(x,y,z)*abs(z) }",
+    "function { Asked(x*.9, y*1.2, z).gray }",
+    "function { pattern { granite scale .4 } }",
     "function { select(sin(x*9), 0, f_ridged(x,y,z,.5,2,5,.6,.7,2), exp(-abs(y))) }"};
 // Colours, maps and what changes a point on its way; those of patterns with a list have no map.
 constexpr const char* kModifiers[] = {
-    "Few", "Map frequency 2.5 phase .3 sine_wave", "Map turbulence <.5,.3,.7> octaves 3 ramp_wave noise_generator 1",
+    "Few",
+    "Map frequency 2.5 phase .3 sine_wave",
+    "Map turbulence <.5,.3,.7> octaves 3 ramp_wave noise_generator 1",
     "Map turbulence .4 lambda 2.3 omega .6 octaves 10 triangle_wave scale <.4,.5,.6> rotate <10,20,30>",
     "Many warp { turbulence <.5,.3,.7> octaves 4 } scallop_wave translate <3,.4,-.2> noise_generator 3",
     "Few warp { repeat x offset .2*y flip z } warp { black_hole 0, .7 strength 2 falloff 2 } noise_generator 1",
-    "Many warp { spherical } warp { turbulence .2 } cubic_wave scale .3", "Blend scale <.9,1.2,.8> poly_wave 2",
+    "Many warp { spherical } warp { turbulence .2 } cubic_wave scale .3",
+    "Blend scale <.9,1.2,.8> poly_wave 2",
     "Map warp { planar y, .3 } turbulence 1e-3 scale 1e-4"};
-constexpr const char* kNormals[] = {"bumps", "dents", "wrinkles", "granite", "bozo", "crackle", "leopard", "ripples", "waves",
-                                    "quilted", "slope { y }", "facets coords .6", "marble", "onion", "agate",
+constexpr const char* kNormals[] = {"bumps",
+                                    "dents",
+                                    "wrinkles",
+                                    "granite",
+                                    "bozo",
+                                    "crackle",
+                                    "leopard",
+                                    "ripples",
+                                    "waves",
+                                    "quilted",
+                                    "slope { y }",
+                                    "facets coords .6",
+                                    "marble",
+                                    "onion",
+                                    "agate",
                                     "bump_map { function 16, 16 { Grid(x,y,z) } bump_size 2 interpolate 2 }",
-                                    "function { sin(3*x)*y }", "average normal_map { [bumps] [2 wrinkles scale .3] }",
+                                    "function { sin(3*x)*y }",
+                                    "average normal_map { [bumps] [2 wrinkles scale .3] }",
                                     "gradient x normal_map { [.2 bumps .4] [.8 ripples 2] }"};
-constexpr const char* kNormalModifiers[] = {
-    "", "no_bump_scale scale .2", "scale <1.3,.4,.9> rotate <20,-30,40>", "turbulence <.4,.5,.6> accuracy .01",
-    "frequency 3 phase .4 sine_wave", "no_bump_scale scale <2,.5,1> bump_size -1.5",
-    "slope_map { [.1 <0,1>] [.5 <1,0>] [.8 <.3,-1>] } scale .6"};
+constexpr const char* kNormalModifiers[] = {"",
+                                            "no_bump_scale scale .2",
+                                            "scale <1.3,.4,.9> rotate <20,-30,40>",
+                                            "turbulence <.4,.5,.6> accuracy .01",
+                                            "frequency 3 phase .4 sine_wave",
+                                            "no_bump_scale scale <2,.5,1> bump_size -1.5",
+                                            "slope_map { [.1 <0,1>] [.5 <1,0>] [.8 <.3,-1>] } scale .6"};
 constexpr const char* kPointsPrelude = R"(#version 3.7; global_settings { assumed_gamma 1 }
 #declare f_noise = function { internal(76) } #declare f_ridged = function { internal(59) }
 #declare Dark = rgb <.1,.2,.3>; #declare Light = rgbft <1,.5,.25,.1,.3>; #declare Bright = rgb <2,1.5,.1>;
@@ -173,8 +232,7 @@ TEST(WidePoints, HaveTheNormalsOfEachPoint) {
         const scene::Scene scene =
             scene_of_points("sphere { 0, 1 pigment { Dark } normal { " + pattern + ' ' + modifiers + " } }");
         textures::Compiler compiler{textures::Settings{}};
-        const textures::CompiledNormal& normal =
-            *compiler.normal(scene.objects.at(0)->texture->layers.at(0).normal);
+        const textures::CompiledNormal& normal = *compiler.normal(scene.objects.at(0)->texture->layers.at(0).normal);
         for (int round = 0; round < 10; ++round) {
           RandomPoints p(round);
           Vec3 normals[PointBatch::kMax];

@@ -43,6 +43,7 @@ void add(Statistics& total, const Statistics& part) {
   total.refracted_rays += part.refracted_rays;
   total.shadow_rays += part.shadow_rays;
   total.transmitted_rays += part.transmitted_rays;
+  total.wavefront_rays += part.wavefront_rays;
 }
 
 textures::Settings texture_settings(const scene::Scene& scene, int quality) {

@@ -13,9 +13,13 @@ void Tracer::add_direct_light(const RayState& ray, SurfaceHit& at, const LayerCo
   const scene::Finish& finish = layer.layer.finish;
   if (!reflects_light(finish) || !ray.direct_light) return;
   const auto add = [&](const Light& light, CachedLight& cache) {
+    if (!observer_) return add_light(ray, at, layer, light, cache, sum);
     const Rgb before = sum;
+    RandomSource numbers = random_;  // who tells apart what was added must draw them once more (crand)
     add_light(ray, at, layer, light, cache, sum);
-    if (observer_) tell_light(ray, at, layer, light, cache, sum - before);
+    std::swap(random_, numbers);
+    tell_light(ray, at, layer, light, cache, sum - before);
+    random_ = numbers;
   };
   if (!at.surface.ignore_global_lights && lights_go_together(ray)) {
     add_lights_together(ray, at, layer, sum);

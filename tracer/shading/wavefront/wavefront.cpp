@@ -286,6 +286,7 @@ void Wavefront::trace(int count, const accel::WorldEntry* const* entries, Color*
   std::fill_n(weights_, count, 1.0f);
   for (int i = 0; i < count; ++i) keys_[i] = tracer_.random_.sample_key(places_[i].x, places_[i].y, numbers_[i]);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
+  if (count > 1) tracer_.statistics_.wavefront_rays += static_cast<std::uint64_t>(count);
   run(count, entries, out);
 }
 

@@ -61,15 +61,29 @@ class NodeRay {
 
   // Bit k: child k is met between 0 and `far`; near[k]: where it is entered. `near` is aligned to 16 bytes.
   unsigned test(const BoxNode& node, float far, float near[4]) const {
-    const float* planes = node.planes[0];
-    const auto plane = [&](int offset, int i) { return (Float4::load(planes + offset) - origin_[i]) * inverse_[i]; };
-    const Float4 enter = max(max(plane(front_[0], 0), plane(front_[1], 1)), max(plane(front_[2], 2), Float4(0)));
-    const Float4 leave = min(min(plane(back_[0], 0), plane(back_[1], 1)), min(plane(back_[2], 2), Float4(far)));
-    enter.store(near);
-    return (enter <= leave).bits();
+    const Range met = cross(node, far);
+    met.enter.store(near);
+    return (met.enter <= met.leave).bits();
+  }
+  // The same; leave[k]: where it is left, or `far`.
+  unsigned test(const BoxNode& node, float far, float near[4], float leave[4]) const {
+    const Range met = cross(node, far);
+    met.enter.store(near);
+    met.leave.store(leave);
+    return (met.enter <= met.leave).bits();
   }
 
  private:
+  struct Range {
+    Float4 enter, leave;
+  };
+  Range cross(const BoxNode& node, float far) const {
+    const float* planes = node.planes[0];
+    const auto plane = [&](int offset, int i) { return (Float4::load(planes + offset) - origin_[i]) * inverse_[i]; };
+    return {max(max(plane(front_[0], 0), plane(front_[1], 1)), max(plane(front_[2], 2), Float4(0))),
+            min(min(plane(back_[0], 0), plane(back_[1], 1)), min(plane(back_[2], 2), Float4(far)))};
+  }
+
   Float4 origin_[3], inverse_[3];
   int front_[3], back_[3];  // where the planes a ray meets first and last stand in a node, in floats
 };

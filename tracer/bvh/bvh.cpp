@@ -40,6 +40,38 @@ void Bvh::build(std::vector<BuildItem>& items, unsigned leaf_size) {
   order_ = std::move(built.order);
 }
 
+bool Bvh::boxes_along(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, BoxesAlong& met) const {
+  met.begin(t_min);
+  if (nodes_.empty() || (entry && entry->count == 0)) return true;
+  const Vec3 inverse(1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z);
+  double start, end;
+  if (!cross_bounds(ray, inverse, t_min, t_max, start, end)) return true;
+  const Vec3 from = ray.origin - center_ + start * ray.direction;
+  if (!(dot(from, from) < std::numeric_limits<double>::infinity())) return true;  // as walks have it
+  met.begin(start);
+  const NodeRay node_ray(from, inverse);
+  const float farthest = round_up(end - start + slack_);
+  std::uint32_t stack[kStackSize];
+  int size = 0;
+  // False: there is no room.
+  const auto descend = [&](const BoxNode& node) {
+    alignas(16) float near[4], far[4];
+    for (unsigned hits = node_ray.test(node, farthest, near, far); hits != 0; hits &= hits - 1) {
+      const int k = __builtin_ctz(hits);
+      if (!(node.child[k] & BoxNode::kLeaf))
+        stack[size++] = node.child[k];
+      else if (!met.add({near[k], far[k], BoxNode::leaf_first(node.child[k])}))
+        return false;
+    }
+    return true;
+  };
+  for (int i = 0; i < (entry ? entry->count : 1); ++i)
+    if (!descend(entry ? entry->nodes[i] : nodes_[0])) return false;
+  while (size > 0)
+    if (!descend(nodes_[stack[--size]])) return false;
+  return true;
+}
+
 void Bvh::enter(const Shaft& shaft, EntryPoints& entry) const {
   constexpr signed char kBits[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   struct Subtree {

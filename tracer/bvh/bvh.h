@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tracer/bvh/box_node.h"
+#include "tracer/bvh/boxes_along.h"
 #include "tracer/bvh/bvh_builder.h"
 #include "tracer/math/vec.h"
 #include "tracer/base/parallel.h"
@@ -90,6 +91,8 @@ class Bvh {
       return visit(BoxNode::leaf_first(leaf), BoxNode::leaf_count(leaf), far);
     });
   }
+  // All boxes that the ray meets between t_min and t_max; false: they are too many. For trees of leaf size 1.
+  bool boxes_along(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, BoxesAlong& met) const;
   // Calls visit(index) for every box that contains p (and perhaps some that narrowly do not) until it returns true.
   // Returns whether one did. For trees of leaf size 1.
   template <class Visit>
@@ -105,6 +108,8 @@ class Bvh {
   void set_bounds(const Box3& bounds);
   BuildItem item_of(const Box3& box, std::size_t index) const;
   void build(std::vector<BuildItem>& items, unsigned leaf_size);
+  // Where the ray enters and leaves the bounds between t_min and t_max. False: it does not.
+  bool cross_bounds(const Ray& ray, const Vec3& inverse, double t_min, double t_max, double& start, double& end) const;
   template <class Leaf>
   void walk(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, Leaf&& leaf) const;
 
@@ -193,11 +198,9 @@ class WaitingChildren {
   int size_ = 0;
 };
 
-template <class Leaf>
-void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, Leaf&& leaf) const {
-  if (nodes_.empty() || (entry && entry->count == 0)) return;
-  const Vec3 inverse(1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z);
-  double start = t_min, end = t_max;
+inline bool Bvh::cross_bounds(const Ray& ray, const Vec3& inverse, double t_min, double t_max, double& start,
+                              double& end) const {
+  start = t_min, end = t_max;
   for (int i = 0; i < 3; ++i) {
     // A zero direction makes infinities of the right signs, or NaN on the very face, which the comparisons ignore.
     double enter = (bounds_.min[i] - ray.origin[i]) * inverse[i], leave = (bounds_.max[i] - ray.origin[i]) * inverse[i];
@@ -205,7 +208,15 @@ void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* en
     if (enter > start) start = enter;
     if (leave < end) end = leave;
   }
-  if (!(start <= end)) return;
+  return start <= end;
+}
+
+template <class Leaf>
+void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, Leaf&& leaf) const {
+  if (nodes_.empty() || (entry && entry->count == 0)) return;
+  const Vec3 inverse(1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z);
+  double start, end;
+  if (!cross_bounds(ray, inverse, t_min, t_max, start, end)) return;
   const Vec3 from = ray.origin - center_ + start * ray.direction;
   if (!(dot(from, from) < std::numeric_limits<double>::infinity()))
     return;  // no ray at all: its numbers would defeat the comparisons

@@ -113,6 +113,47 @@ TEST(Bvh, FindsWhatATestOfEveryBoxFinds) {
   }
 }
 
+TEST(Bvh, AllBoxesAlongARayAreThoseThatWalksFind) {
+  Random random(3);
+  for (const int count : {1, 5, 40, 300}) {
+    const auto boxes = boxes_around(random, Vec3(5), count);
+    const Bvh tree(boxes);
+    std::size_t found = 0;
+    for (int i = 0; i < 500; ++i) {
+      const Ray ray = ray_at(random, boxes, Vec3(5));
+      const double t_min = random.below(2) ? 0 : random(0, 3), t_max = random.below(2) ? 1e7 : t_min + random(0, 50);
+      BoxesAlong along;
+      ASSERT_TRUE(tree.boxes_along(ray, t_min, t_max, nullptr, along));
+      std::set<std::uint32_t> met;
+      float before = 0;
+      for (const BoxesAlong::Met& box : along.all()) {
+        met.insert(box.primitive);
+        double near = t_min, far = t_max;
+        if (clip_to_box(ray, boxes[box.primitive], near, far)) {
+          EXPECT_LE(box.near, near - along.start() + tree.slack());
+          EXPECT_GE(box.far, far - along.start() - tree.slack());
+        }
+        EXPECT_LE(before, box.near);
+        before = box.near;
+      }
+      ASSERT_EQ(met, met_by_tree(ray, tree, t_min, t_max));
+      found += met.size();
+    }
+    EXPECT_GT(found, 100u);
+  }
+}
+
+TEST(Bvh, MoreBoxesAlongARayThanThereIsRoomForAreRefused) {
+  std::vector<Box3> boxes;
+  for (int i = 0; i < BoxesAlong::kMax; ++i) boxes.emplace_back(Vec3(i, 0, 0), Vec3(i + 0.5, 1, 1));
+  const Ray ray{{-1, 0.5, 0.5}, {1, 0, 0}};
+  BoxesAlong along;
+  EXPECT_TRUE(Bvh(boxes).boxes_along(ray, 0, 1000, nullptr, along));
+  EXPECT_EQ(along.all().size(), boxes.size());
+  boxes.emplace_back(Vec3(-0.5, 0, 0), Vec3(-0.2, 1, 1));
+  EXPECT_FALSE(Bvh(boxes).boxes_along(ray, 0, 1000, nullptr, along));
+}
+
 TEST(Bvh, VisitsFewBoxesAndNoneBeyondTheLimit) {
   Random random(2);
   const auto boxes = boxes_around(random, Vec3(0), 5000);

@@ -58,6 +58,7 @@ using shapes::RayKind;
 
 inline constexpr double kFarthestHit = 2e10;  // what POV-Ray finds behind it is no hit
 
+class BoxesAlong;
 class Bvh;
 class Shaft;
 
@@ -100,6 +101,11 @@ class World {
   // `entry`: of a shaft that holds the ray; null: none known.
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
                  const WorldEntry* entry = nullptr) const;
+  // Whether it pays to know at once all boxes that a ray meets and is followed past; if so, they are found.
+  bool boxes_along(const Ray& ray, double t_min, double t_max, const WorldEntry* entry, BoxesAlong& boxes) const;
+  // intersect() for a ray with the direction of one whose boxes are known, from a point of it at distance `travelled`.
+  bool intersect_along(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry,
+                       const BoxesAlong& boxes, double travelled) const;
   // The objects that a ray meets in one place, at t: POV-Ray's order of them decides which of them shows (spec 08 A).
   // For who explains pixels, not for speed.
   std::vector<const scene::Object*> coincident(const Ray& ray, RayKind kind, double t) const;

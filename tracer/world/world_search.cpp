@@ -92,6 +92,32 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
   return search.found();
 }
 
+bool World::boxes_along(const Ray& ray, double t_min, double t_max, const WorldEntry* entry, BoxesAlong& boxes) const {
+  const Impl& w = *impl_;
+  if (!entry && !w.few.empty()) return false;  // they are found as soon as looked up
+  return w.tree.boxes_along(ray, t_min, t_max, entry ? &entry->points : nullptr, boxes);
+}
+
+bool World::intersect_along(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry,
+                            const BoxesAlong& boxes, double travelled) const {
+  const Impl& w = *impl_;
+  Search search(w, ray, kind, t_min, t_max, hit);
+  search.test_unbounded();
+  // Distances of boxes have the rounding of a walk, in which the boxes have room for it.
+  const double passed = travelled - boxes.start(), slack = w.tree.slack();
+  const double behind = passed + t_min - slack;
+  float farthest = round_up(passed + search.limit() + slack);
+  for (const BoxesAlong::Met& met : boxes.all()) {
+    if (met.near > farthest) break;
+    if (round_up(met.far) < behind) continue;
+    search.test_candidate(met.primitive, entry);
+    farthest = round_up(passed + search.limit() + slack);
+  }
+  search.test_around();
+  if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
+  return search.found();
+}
+
 std::vector<const scene::Object*> World::coincident(const Ray& ray, RayKind kind, double t) const {
   const double near = t - kCoincident * t, far = with_coincident(t);
   std::vector<const scene::Object*> out;

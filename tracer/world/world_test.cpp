@@ -88,6 +88,35 @@ TEST(World, FindsTheNearestOfManyAsASearchOfAllDoes) {
   }
 }
 
+TEST(World, ARayFollowedPastSurfacesMeetsWhatSearchesFromEachFind) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(-10, 10);
+  std::vector<ObjectRef> objects;
+  for (int i = 0; i < 300; ++i) objects.push_back(sphere({u(random), u(random), u(random)}, 1.5));
+  objects.push_back(objects[3]);  // a twin
+  objects.push_back(textured(make(scene::Plane{y, -12})));
+  const Stage stage(objects);
+  int surfaces = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 origin = i % 3 == 0 ? Vec3(u(random), u(random), u(random)) : random_unit(random) * 30.0;
+    Ray ray{origin, normalize(Vec3(u(random), u(random), u(random)) - origin)};
+    double left = i % 2 == 0 ? 200 : 15, travelled = 0;
+    BoxesAlong boxes;
+    ASSERT_TRUE(stage.world->boxes_along(ray, 1e-6, left, nullptr, boxes));
+    for (;;) {
+      shapes::Hit expected, hit;
+      const bool met = stage.world->intersect(ray, RayKind::shadow, 1e-6, left, expected);
+      ASSERT_EQ(stage.world->intersect_along(ray, RayKind::shadow, 1e-6, left, hit, nullptr, boxes, travelled), met);
+      if (!met) break;
+      ASSERT_EQ(hit.t, expected.t);
+      ASSERT_EQ(hit.shape, expected.shape);
+      ray.origin = hit.point, left -= hit.t, travelled += hit.t;
+      ++surfaces;
+    }
+  }
+  EXPECT_GT(surfaces, 5000);
+}
+
 // Objects of many kinds that touch, hide each other and are seen by some rays only.
 std::vector<ObjectRef> crowd() {
   std::mt19937 random(9);

@@ -4,6 +4,7 @@
 #include "tracer/shading/atmosphere/fog.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/shapes/implicit/last_miss.h"
+#include "tracer/bvh/boxes_along.h"
 #include "tracer/bvh/slab_test.h"
 #include "tracer/textures/evaluation/pigment.h"
 
@@ -122,13 +123,28 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     return;
   }
   double from = in_order_ ? kAboveShadowTolerance : contact_tolerance(query.light);
+  // What lies on the way is found once: at the first transparent surface, which is where the ray starts if that is one.
+  accel::BoxesAlong boxes;
+  double travelled = 0;  // since then
+  bool asked = false, known = false;
+  const auto find_boxes = [&] {
+    asked = true;
+    known = scene_.world.boxes_along(ray.ray, from, distance - kShadowTolerance, entry, boxes);
+  };
+  if (!first && query.lit && !query.lit->opaque) find_boxes();
+  const auto look = [&](shapes::Hit& hit) {
+    const double limit = distance - kShadowTolerance;
+    const auto kind = shapes::RayKind::shadow;
+    return known ? scene_.world.intersect_along(ray.ray, kind, from, limit, hit, entry, boxes, travelled)
+                 : scene_.world.intersect(ray.ray, kind, from, limit, hit, entry);
+  };
   for (bool clear = true;; clear = false) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
     if (distance <= 2 * kShadowTolerance) break;
     if (first)
       hit = *first;
-    else if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, from, distance - kShadowTolerance, hit, entry))
+    else if (!look(hit))
       break;
     first = nullptr;
     from = kAboveShadowTolerance;
@@ -143,6 +159,10 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     ray.hollow = all_hollow(ray.interiors);
     ray.ray.origin = hit.point;
     distance -= hit.t;
+    if (asked)
+      travelled += hit.t;
+    else
+      find_boxes();
   }
   if (distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
 }

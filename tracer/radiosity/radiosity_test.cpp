@@ -92,7 +92,7 @@ TEST(IrradianceCache, SamplesOfOneCellComeTheLastOneFirst) {
   IrradianceCache cache(1.8, 2.05);
   IrradianceSample s;
   s.normal = {0, 1, 0}, s.mean_distance = 1;
-  for (const Vec3 point : {Vec3(0.1, 0, 0), Vec3(0.11, 0, 0), Vec3(-40, 0, 0)}) s.point = point, cache.add(s);
+  for (const double x : {0.1, 0.11, -40.0}) s.point = {x, 0, 0}, cache.add(s);
   const auto& samples = cache.samples();
   EXPECT_TRUE(cache.comes_before(samples[1], samples[0]));
   EXPECT_TRUE(cache.comes_before(samples[2], samples[0]));

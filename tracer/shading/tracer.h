@@ -270,7 +270,14 @@ class Tracer {
   // The first surface of the remembered object, whatever lies before it. True when nothing passes.
   bool filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance, RayState& ray,
                             Rgb& color);
-  void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
+  // What is left of a shadow ray's way behind the last surface that it met.
+  struct LastStretch {
+    Ray ray;
+    double length = 0;
+  };
+  // `left`: takes the last stretch, whose atmosphere then does not act here.
+  void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color,
+                   LastStretch* left = nullptr);
   // Fog or media may take from this light on its way.
   bool light_on_way_changes(const Light& light) const;
   // Shadow rays that start there meet nothing but opaque objects; null: from anywhere.
@@ -279,9 +286,10 @@ class Tracer {
   }
   // No transparent object is on the way, so that any one decides.
   bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
-  // `first`: the nearest hit, if it is known that there is one.
+  // `first`: the nearest hit, if it is known that there is one; `left`: as above.
   void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                    const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first = nullptr);
+                    const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first = nullptr,
+                    LastStretch* left = nullptr);
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
@@ -297,14 +305,15 @@ class Tracer {
   Rgb filter_at(const shapes::Hit& hit, const Vec3& towards);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
                      const Frame* frame);
-  void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color);
+  void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool to_surface, Rgb& color);
 
   // ---- area_light.cpp
   Rgb area_shadow(const ShadowQuery& query, const Vec3& p, const LightDirection& centre, const Rgb& color);
   struct AreaGrid;
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
-  Rgb area_sample(const AreaGrid& grid, int column, int batch);
+  Rgb area_sample(AreaGrid& grid, int column, int batch);
+  void area_last_stretch(const AreaGrid& grid, Rgb& color);
   void ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
   void ask_first_corners(const AreaGrid& grid);
 

@@ -408,12 +408,12 @@ bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
          });
 }
 
-// A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).
-void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
-                              std::vector<textures::WeightedTexture>& out) const {
+// A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3): adds all
+// textures that there are.
+void World::Impl::add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const {
   const auto* csg = shape.object->as<scene::Csg>();
   if (!csg) {
-    if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, weight});
+    if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, 1});
     return;
   }
   const auto children = shape.children();
@@ -422,20 +422,19 @@ void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
     // Nested CSG may hold its children the other way round (shapes/csg/csg.cpp).
     const scene::Object* const first = scene::children_of(*shape.object)[0].get();
     const Shape& body = children.front()->object == first ? *children.front() : *children.back();
-    if (body.object == first && body.inside_unclipped(p)) mix_cutaway(body, p, weight, out);
+    if (body.object == first && body.inside_unclipped(p)) add_cutaway(body, p, out);
     return;
   }
-  std::size_t count = 0;
-  for (const auto& child : children) count += child->inside_unclipped(p);
   for (const auto& child : children)
-    if (child->inside_unclipped(p)) mix_cutaway(*child, p, weight / static_cast<float>(count), out);
+    if (child->inside_unclipped(p)) add_cutaway(*child, p, out);
 }
 
 void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const {
   out.clear();
   const Surface& surface = *hit.shape->surface;
   if (!surface.texture && surface.cutaway && surface.extra_textures().empty()) {
-    impl_->mix_cutaway(*surface.cutaway, hit.point, 1, out);
+    impl_->add_cutaway(*surface.cutaway, hit.point, out);
+    for (textures::WeightedTexture& each : out) each.weight = 1 / static_cast<float>(out.size());
     return;
   }
   if (surface.extra_textures().empty()) return;

@@ -207,7 +207,7 @@ struct World::Impl {
   bool reaches(const Ray& ray, std::uint32_t index) const;  // whether POV-Ray's hierarchy asks it
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).
   void settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const;
-  void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
+  void add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const;
 };
 
 }  // namespace verisim::accel

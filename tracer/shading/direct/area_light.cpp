@@ -36,6 +36,8 @@ struct Tracer::AreaGrid {
   Shuffle *batches = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
   bool together = false;                           // rays may go in rows
   accel::WorldEntry* entry = nullptr;              // of these
+  bool attenuates = false, quartered = false;      // media or fog act on the last stretch
+  LastStretch left{};                              // of the sample that was asked last
 
   // Moves a position within its cell.
   void jitter(int column, int batch, double& x, double& y) const {
@@ -61,13 +63,31 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   const std::size_t cells = static_cast<std::size_t>(light.size1()) * light.size2();
   if (corners_.size() < cells) corners_.resize(cells);
   ++corner_stamp_;
-  if (!light.projector() && !in_order_ && !light_on_way_changes(light))
-    grid.together = true, grid.entry = shadow_entry(query, p);
+  grid.attenuates = light_on_way_changes(light);
+  if (!light.projector() && !in_order_ && !grid.attenuates) grid.together = true, grid.entry = shadow_entry(query, p);
   if (grid.together) ask_first_corners(grid);
-  return area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
+  Rgb result = area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
+  if (grid.attenuates) area_last_stretch(grid, result);
+  return result;
 }
 
-Rgb Tracer::area_sample(const AreaGrid& grid, int column, int batch) {
+// Media and fog act once for all samples: on the last stretch of the one that was asked last, and, where the grid was
+// quartered, on a ray to twice the position of the light; within things that are not hollow not at all (spec 06 9.4).
+void Tracer::area_last_stretch(const AreaGrid& grid, Rgb& color) {
+  if (color == Rgb()) return;
+  RayState ray = grid.query.eye;
+  double length = grid.left.length;
+  if (grid.quartered) {
+    const Light& light = grid.query.light;
+    const LightDirection to = light.direction(grid.p, light.source().position);
+    ray.ray = {grid.p, to.towards}, length = to.distance;
+  } else {
+    ray.ray = grid.left.ray;
+  }
+  if (length > kShadowTolerance) shadow_volumes(grid.query, ray, length, false, color);
+}
+
+Rgb Tracer::area_sample(AreaGrid& grid, int column, int batch) {
   const Light& light = grid.query.light;
   double u = column, v = batch;
   if (grid.batches)
@@ -76,7 +96,7 @@ Rgb Tracer::area_sample(const AreaGrid& grid, int column, int batch) {
     u += random_.shading() - 0.5, v += random_.shading() - 0.5;
   const LightDirection to = light.direction(grid.p, light.offset(grid.axes, u, v));
   Rgb color = grid.color;
-  cast_shadow(grid.query, grid.p, to.towards, to.distance, color);
+  cast_shadow(grid.query, grid.p, to.towards, to.distance, color, grid.attenuates ? &grid.left : nullptr);
   return color;
 }
 
@@ -183,6 +203,7 @@ Rgb Tracer::area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int dept
              0.1f;  // absolute, not relative
     };
     if (depth < grid.query.light.source().adaptive || differ(0, 1) || differ(1, 3) || differ(3, 2) || differ(2, 0)) {
+      grid.quartered = true;
       const int u_low = (u1 + u2) / 2, u_high = (u1 + u2 + 1) / 2, v_low = (v1 + v2) / 2, v_high = (v1 + v2 + 1) / 2;
       if (grid.together && depth >= grid.query.light.source().adaptive)
         ask_corners(grid, std::array{u1, u_low, u_high, u2}, std::array{v1, v_low, v_high, v2});

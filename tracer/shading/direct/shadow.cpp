@@ -86,7 +86,8 @@ bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Vec3& p, c
   return only_opaque(entry) || scene_.world.only_opaque_between(p, p + distance * towards);
 }
 
-void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
+void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color,
+                         LastStretch* left) {
   ++statistics_.shadow_rays;
   const Ray ray{p, towards};
   if (const shapes::Shape* projector = query.light.projector()) {
@@ -103,7 +104,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   // where POV-Ray's do; what is remembered hangs on all of it.
   accel::WorldEntry* const entry = shadow_entry(query, p);
   if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, p, towards, distance)) {
-    filter_along(query, p, towards, distance, entry, color);
+    filter_along(query, p, towards, distance, entry, color, nullptr, left);
   } else if (distance > 2 * kShadowTolerance &&
              scene_.world.occluded(ray, contact_tolerance(query.light), distance - kShadowTolerance, entry)) {
     color = {};
@@ -111,15 +112,19 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
 }
 
 void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first) {
+                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first, LastStretch* left) {
   const InteriorScope scope(*this);
   const shapes::ShadowRays shadow_rays;
   const shapes::Shape** const last = last_blocker(query);
   RayState ray = query.eye;
   ray.ray = {p, towards};
   const shapes::Shape* const remembered = asked_first(last, query.eye.surface_level());
+  const auto leave = [&] {
+    if (left) *left = {ray.ray, distance};
+  };
   if (remembered && filter_by_remembered(query, *remembered, distance, ray, color)) {
     color = {};
+    leave();
     return;
   }
   double from = in_order_ ? kAboveShadowTolerance : contact_tolerance(query.light);
@@ -152,6 +157,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     if (hit.t < kAboveShadowTolerance && !surface.opaque) continue;
     if (filter_through(query, ray, hit, color)) {
       if (last && clear && surface.remembered) *last = surface.remembered;
+      leave();
       return;
     }
     shadow_volumes(query, ray, hit.t, true, color);
@@ -164,20 +170,21 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     else
       find_boxes();
   }
-  if (distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
+  leave();
+  if (!left && distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
 }
 
 // Atmosphere and fog act only for lights that ask for it; media of containers always, over segments that end at a
-// surface (spec 06 9.4, 07 4.7).
-void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color) {
-  if (scene_.quality < 9 || !ray.hollow) return;
+// surface. What is not hollow keeps out everything but the atmosphere before a surface (spec 06 9.4, 07 4.7).
+void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool to_surface, Rgb& color) {
+  if (scene_.quality < 9 || !(ray.hollow || to_surface)) return;
   const bool attenuates = query.light.media_attenuation();
   if (const Effects* effects = scene_.effects) {
-    const bool inside = container && effects->media_in_interiors && ray.interiors.count > 0,
+    const bool inside = to_surface && ray.hollow && effects->media_in_interiors && ray.interiors.count > 0,
                air = attenuates && effects->atmosphere;
     if (inside || air) effects->shadow_media(*this, ray, length, inside, air, color);
   }
-  if (attenuates && scene_.fog)
+  if (attenuates && scene_.fog && ray.hollow)
     color *= fog_along(scene_.scene.fogs, ray.ray, length, scene_.scene.settings.noise_generator).passed();
 }
 

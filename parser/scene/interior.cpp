@@ -92,7 +92,7 @@ Material parse_material(Parser& parser, const Material& earlier) {
       if (material.texture && scene::ends_in_solid_color(*material.texture))
         material.solid_steps = material.solid_steps ? material.solid_steps->then(item) : item;
       material.texture = scene::transformed(material.texture, item);
-      material.interior_texture = scene::transformed(material.interior_texture, item);
+      // The interior_texture stays where it is (spec 05 11).
       if (material.interior) {
         material.interior = std::make_shared<Interior>(*material.interior);
         for (scene::Media& media : material.interior->media) transform_media(media, item);

@@ -286,10 +286,11 @@ class Tracer {
   }
   // No transparent object is on the way, so that any one decides.
   bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
-  // `first`: the nearest hit, if it is known that there is one; `left`: as above.
+  // `first`: the nearest hit, if it is known that there is one; `left`: as above; `behind`: how far the light lies
+  // behind the end, for what acts on the last stretch.
   void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
                     const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first = nullptr,
-                    LastStretch* left = nullptr);
+                    LastStretch* left = nullptr, double behind = 0);
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);

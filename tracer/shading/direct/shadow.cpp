@@ -90,6 +90,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
                          LastStretch* left) {
   ++statistics_.shadow_rays;
   const Ray ray{p, towards};
+  double behind = 0;  // the projector, to the light
   if (const shapes::Shape* projector = query.light.projector()) {
     shapes::Hit hit;
     if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, distance, hit)) {
@@ -97,6 +98,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
       return;
     }
     if (!query.light.highlights()) return;  // shadowless: the projector is all it heeds
+    behind = distance - hit.t;
     distance = hit.t;
   }
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the
@@ -104,7 +106,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   // where POV-Ray's do; what is remembered hangs on all of it.
   accel::WorldEntry* const entry = shadow_entry(query, p);
   if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, p, towards, distance)) {
-    filter_along(query, p, towards, distance, entry, color, nullptr, left);
+    filter_along(query, p, towards, distance, entry, color, nullptr, left, behind);
   } else if (distance > 2 * kShadowTolerance &&
              scene_.world.occluded(ray, contact_tolerance(query.light), distance - kShadowTolerance, entry)) {
     color = {};
@@ -112,7 +114,8 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
 }
 
 void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first, LastStretch* left) {
+                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first, LastStretch* left,
+                          double behind) {
   const InteriorScope scope(*this);
   const shapes::ShadowRays shadow_rays;
   const shapes::Shape** const last = last_blocker(query);
@@ -120,7 +123,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
   ray.ray = {p, towards};
   const shapes::Shape* const remembered = asked_first(last, query.eye.surface_level());
   const auto leave = [&] {
-    if (left) *left = {ray.ray, distance};
+    if (left) *left = {ray.ray, distance + behind};
   };
   if (remembered && filter_by_remembered(query, *remembered, distance, ray, color)) {
     color = {};
@@ -171,7 +174,8 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
       find_boxes();
   }
   leave();
-  if (!left && distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
+  const double rest = distance + behind;
+  if (!left && rest > kShadowTolerance) shadow_volumes(query, ray, rest, false, color);
 }
 
 // Atmosphere and fog act only for lights that ask for it; media of containers always, over segments that end at a

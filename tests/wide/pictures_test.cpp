@@ -23,8 +23,9 @@ constexpr PictureLine kPictureLines[] = {
     {"surfaces in fog", "View() #macro Dim() media_attenuation #end Lights() Balls() Layers() Fogs()"},
     // Where last bits of directions are seen.
     {"fine grain", "View() Lights() Fine() light_source { <1,7,-4>, .4 area_light 2*x, 2*z, 3, 3 circular orient }"},
-    {"fine grain through a lens", "Lens(5, .6, 6, 9) Fine() light_source { <-4,7,-3>, 2 spotlight point_at 0 radius 5"
-                                  " falloff 40 tightness 1 }"},
+    {"fine grain through a lens",
+     "Lens(5, .6, 6, 9) Fine() light_source { <-4,7,-3>, 2 spotlight point_at 0 radius 5"
+     " falloff 40 tightness 1 }"},
     {"glass", "View() Lights() Balls() Layers() Glass()"},
     {"weighted textures", "View() Lights() Balls() Layers() Weighted()"},
     {"cutaways",

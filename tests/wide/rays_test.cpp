@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <random>
 
@@ -118,10 +119,19 @@ constexpr ObjectLine kObjectLines[] = {
     {"julia", "julia_fractal { <-.162,.163,-.56,.1> max_iteration 7 precision 20 slice <.1,.2,-.1,.97>, .05 M() }"},
     {"julia of cubes", "julia_fractal { <-.2,.3,-.5,.1> quaternion cube max_iteration 6 precision 30 M() }"},
     {"hypercomplex julia", "julia_fractal { <-.162,.163,-.56,.1> hypercomplex max_iteration 7 precision 20 M() }"},
+    {"hypercomplex julia of cubes",
+     "julia_fractal { <-.2,.3,-.5,.1> hypercomplex cube max_iteration 6 precision 30 M()"
+     " }"},
     {"union", "union { object { Ball } object { Ring } object { Tube } plane { <.2,1,0>, -.9 } M() }"},
     {"union of many", "union { #for (I, 0, 39) sphere { <.1*I-2,.5*sin(I),.5*cos(2*I)>, .2 } #end M() }"},
+    {"union of twenty",
+     "union { julia_fractal { <-.2,.3,-.5,.1> max_iteration 4 } #for (I, 0, 18) sphere {"
+     " <.15*I-1.4,.5*sin(I),.5*cos(2*I)>, .2 } #end M() }"},
     {"union in the same place",
      "union { object { Ball } object { Ball } union { object { Ball } object { Ring } } M() }"},
+    {"solids in the same place",
+     "intersection { union { object { Block } object { Block } object { Ring } object { Ring }"
+     " } plane { <.2,1,0>, .5 } M() }"},
     {"merge", "merge { object { Ball } object { Ring } object { Body } M() }"},
     {"merged blobs", "merge { object { Two } object { Two scale .9 rotate 40*y } object { Ring } M() }"},
     {"intersection", "intersection { object { Ball } plane { <1,1,.3>, .4 } plane { -y, .7 } M() }"},
@@ -131,6 +141,11 @@ constexpr ObjectLine kObjectLines[] = {
      "intersection { plane { y, .6 } plane { -y, .7 } plane { x, .5 } plane { -x, .5 } plane { z, .5 }"
      " plane { -z, .3 } M() }"},
     {"twenty planes", "intersection { #for (I, 0, 19) plane { <sin(I),cos(2*I),sin(3*I)+.2>, .8 } #end M() }"},
+    // More than a tree takes.
+    {"fifty planes", "intersection { #for (I, 0, 49) plane { <sin(I),cos(2*I),sin(3*I)+.2>, .8 } #end M() }"},
+    {"many cuts",
+     "difference { object { Body } plane { <1,.3,0>, -.5 } #for (I, 0, 45) sphere { <sin(I),cos(2*I),"
+     "sin(3*I)>, .3 } #end M() }"},
     {"difference", "difference { object { Block } object { Tube } object { Ball } M() }"},
     {"difference of a convex",
      "difference { object { Body } object { Ring } difference { object { Tube } object {"
@@ -245,11 +260,18 @@ bool same_hit(const shapes::Hit& a, const shapes::Hit& b) {
 void note(Journal& journal, const shapes::Hit& hit) {
   journal.add(hit.t), journal.add(hit.point), journal.add(hit.part), journal.add(hit.shape->normal(hit));
 }
+using Numbers = std::map<const shapes::Shape*, std::size_t>;
+void number(const shapes::Shape& shape, Numbers& numbers) {
+  numbers.emplace(&shape, numbers.size());
+  for (const auto& child : shape.children()) number(*child, numbers);
+}
 
 // Adds to `met` the rays that meet the shape.
 void expect_the_same(const shapes::Shape& shape, int rounds, int& met, Journal& journal) {
   using shapes::Hit, shapes::RayKind;
   RandomRays random;
+  Numbers numbers;
+  number(shape, numbers);
   shapes::HitList all;
   for (int round = 0; round < rounds; ++round) {
     const int first = round % 9;
@@ -268,7 +290,7 @@ void expect_the_same(const shapes::Shape& shape, int rounds, int& met, Journal& 
       ASSERT_EQ(blocked >> k & 1, shape.occludes(ray, t_min, random.limit[k])) << round << ' ' << k;
       if (!hit) continue;
       ASSERT_TRUE(same_hit(hits[k], alone)) << round << ' ' << k << ": " << hits[k].t << " is not " << alone.t;
-      note(journal, alone);
+      note(journal, alone), journal.add(numbers[alone.shape]);
       ++met;
     }
     all.clear();

@@ -21,6 +21,11 @@ struct PictureLine {
 constexpr PictureLine kPictureLines[] = {
     {"surfaces", "View() Lights() Balls() Layers()"},
     {"surfaces in fog", "View() #macro Dim() media_attenuation #end Lights() Balls() Layers() Fogs()"},
+    // Where last bits of directions are seen.
+    {"fine grain", "View() Lights() Fine() light_source { <1,7,-4>, .4 area_light 2*x, 2*z, 3, 3 circular orient }"},
+    {"fine grain through a lens",
+     "Lens(5, .6, 6, 9) Fine() light_source { <-4,7,-3>, 2 spotlight point_at 0 radius 5"
+     " falloff 40 tightness 1 }"},
     {"glass", "View() Lights() Balls() Layers() Glass()"},
     {"weighted textures", "View() Lights() Balls() Layers() Weighted()"},
     {"cutaways",
@@ -134,6 +139,9 @@ constexpr const char* kPicturesPrelude = R"(#version 3.7; global_settings { assu
 #macro Plain() #for (I, 0, 11) #if (mod(I,4)) sphere { <mod(I,4)*1.2-1.8,.4+div(I,4),.3*mod(I,3)>, .55
   pigment { granite color_map { [0 rgb <.9,.4,.2>] [1 rgb I/12] } } normal { bumps .3 scale .2 } finish { diffuse .7
   phong .2 } } #end #end plane { y, -.5 pigment { checker rgb .8, rgb <.3,.5,.2> } } #end
+#macro Fine() #declare Grain = pigment { granite scale 1e-12 color_map { [0 rgbf 1] [1 rgbf <.2,.5,1,.9>] } }
+  plane { y, 4 hollow pigment { Grain } } sphere { y, 1 double_illuminate pigment { Grain } } plane { y, -.5 pigment {
+  granite scale 1e-12 } } #end
 #macro Floor() plane { y, -.5 pigment { rgb <.6,.6,.5> } finish { reflection .3 } } #end
 #declare Clouds = density { bozo scale 2 color_map { [0 rgb 0] [.5 rgb 0] [1 rgb <1.9,1.7,2.3>] } }
 #declare Opaque = texture { pigment { granite scale .3 color_map { [.2 rgb <.9,.3,.2>] [.7 rgb <.2,.4,.8>] } }
@@ -146,7 +154,7 @@ constexpr const char* kPicturesPrelude = R"(#version 3.7; global_settings { assu
 #macro Layers() #for (I, 0, 4) sphere { <I*.9-1.8,2.2,.4>, .5 texture { #switch (I) #case (0) Layered #break
   #case (1) checker texture { Opaque } texture { Layered } scale .2 #break #case (2) average texture_map { [1 Opaque]
   [2 Layered] } #break #case (3) bozo texture_map { [0 Opaque] [1 Layered] } scale .2 #break #case (4) bozo texture_map
-  { [0 Opaque] [1 Veil] } scale .2 #end } } #end #end
+  { [0 Opaque] [1 Veil] } scale .2 #end } #if (mod(I,2)) double_illuminate #end } #end #end
 #macro Weighted() blob { threshold .4 #for (I, 0, 8) sphere { <.4*I-1.6,1.4,-1.5>, .7, 1 texture { #if (mod(I,3)) Opaque
   translate I #else #if (I=3) Layered #else pigment { rgb I/9 } finish { Shine(I) } #end #end } } #end }
   mesh { #for (I, 0, 15) #local X = .25*I-2.2; triangle { <X,.1,-2>, <X+.3,.1,-2>, <X,.7,-2>

@@ -68,38 +68,4 @@ inline std::optional<Traced> trace(const scene::Object& o, const Vec3& from, con
     EXPECT_NEAR(a_.z, b_.z, TOLERANCE) << #A; \
   } while (false)
 
-// Rays from outside, from within and along the surface, some of them not asked and some with a limit before the hit.
-inline void expect_rows_as_single_rays(const Shape& shape, std::mt19937& random, int& found) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&](double size) { return size * Vec3(unit(random), unit(random), unit(random)); };
-  RayBatch batch{};
-  const int first = 8 * static_cast<int>(random() % 5);
-  const double far = random() % 4 == 0 ? 1 : 5;
-  for (int k = 0; k < RayPacket::kCount; ++k) {
-    const Vec3 from = vector(far);
-    batch.origin.set(first + k, from);
-    batch.direction.set(first + k, normalize(vector(1.2) - from));
-  }
-  const RayPacket rays{batch, first, static_cast<unsigned>(random() % 4 == 0 ? random() & 255 : 255)};
-  double t_max[RayPacket::kCount];
-  for (double& t : t_max) t = random() % 3 == 0 ? 3 * (1 + unit(random)) : 1e7;
-  Hit hits[RayPacket::kCount];
-  const unsigned hit = shape.intersect_packet(rays, nullptr, RayKind::camera, 1e-4, t_max, hits),
-                 blocked = shape.occludes_packet(rays, nullptr, 1e-4, t_max);
-  for (int k = 0; k < RayPacket::kCount; ++k) {
-    if (!(rays.active >> k & 1)) continue;
-    Hit single;
-    ASSERT_EQ(shape.intersect(rays.at(k), RayKind::camera, 1e-4, t_max[k], single), static_cast<bool>(hit >> k & 1));
-    ASSERT_EQ(shape.occludes(rays.at(k), 1e-4, t_max[k]), static_cast<bool>(blocked >> k & 1));
-    if (!(hit >> k & 1)) continue;
-    ++found;
-    ASSERT_EQ(hits[k].t, single.t);
-    ASSERT_EQ(hits[k].point, single.point);
-    ASSERT_EQ(hits[k].shape, single.shape);
-    ASSERT_EQ(hits[k].part, single.part);
-    const Vec3 in_batch = shape.normal(hits[k]), alone = shape.normal(single);
-    ASSERT_EQ(std::memcmp(&in_batch, &alone, sizeof alone), 0);
-  }
-}
-
 }  // namespace verisim::shapes::test

@@ -1,11 +1,10 @@
-// Rays in step against single rays, and the instruction sets against each other.
+// Searches of eight rays in step.
 #include "tracer/shapes/implicit/isosurface_batch.h"
 
 #include <cmath>
 
 #include "tracer/functions/expression.h"
 #include "tracer/shapes/trace_test_support.h"
-#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes {
 namespace {
@@ -31,77 +30,6 @@ FunctionPtr wavy_ball(double size) {
   return functions::compile(
       sum({product({axis(0), axis(0)}), product({axis(1), axis(1)}), product({axis(2), axis(2)}), number(-0.8), waves}),
       3, 3);
-}
-
-TEST(IsosurfaceBatch, FindsWhatSingleRaysFind) {
-  std::mt19937 random(5);
-  int found = 0;
-  for (int n = 0; n < 48; ++n) {
-    scene::Isosurface s;
-    s.function = wavy_ball(n % 5 == 0 ? 0.9 : 0.2);
-    s.max_gradient = n % 3 == 0 ? 1.1 : 5;  // too small, then pruned nodes matter
-    s.accuracy = n % 4 == 0 ? 0.05 : 0.002;
-    s.max_trace = n % 6;
-    s.open = n % 7 == 0;
-    s.threshold = n % 2 ? 0.1 : 0;
-    if (n % 8 == 1) s.container = {true, Vec3(0), Vec3(0), {0, 0, 0}, 0.9};
-    scene::Object o = object(s);
-    if (n % 3) o.transform = Transform::rotation({30, 40, 50}).then(Transform::scaling({0.9, 1.2, 0.8}));
-    const auto shape = compile(o);
-    for (int i = 0; i < 40 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*shape, random, found);
-  }
-  EXPECT_GT(found, 2000);
-}
-
-// Lanes that begin behind the surface leave the others alone, also where a function is computed only for the lanes that
-// are asked for.
-TEST(IsosurfaceBatch, SomeRaysBeginAtTheSurface) {
-  scene::Isosurface s;
-  s.function = functions::compile(sum({product({axis(0), axis(0)}),
-                                       product({axis(1), axis(1)}),
-                                       {functions::BuiltinCall{functions::Builtin::tanh_, {axis(2)}}},
-                                       number(-0.5)}),
-                                  3, 3);
-  s.max_gradient = 3, s.accuracy = 0.05;  // what is near the surface: 4 x 3 x 0.05
-  std::mt19937 random(9);
-  int found = 0;
-  const auto shape = compile(object(s));
-  for (int i = 0; i < 2000 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*shape, random, found);
-  EXPECT_GT(found, 2000);
-}
-
-// Distances that are not for lanes are left to the single ray.
-TEST(IsosurfaceBatch, FarAndFineSearchesAreSingle) {
-  scene::Isosurface s;
-  s.function = wavy_ball(0.2);
-  s.max_gradient = 5;
-  s.accuracy = 1e-300;
-  std::mt19937 random(6);
-  int found = 0;
-  for (int i = 0; i < 5 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*compile(object(s)), random, found);
-  EXPECT_GT(found, 0);
-}
-
-void set_up(SearchPacket& packet, std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  packet.accuracy = 0.001 * (1.5 + unit(random)), packet.threshold = 0.1 * unit(random);
-  for (int k = 0; k < SearchPacket::kCount; ++k) {
-    for (int i = 0; i < 3; ++i) packet.origin[i][k] = unit(random), packet.direction[i][k] = unit(random);
-    packet.begin[k] = unit(random), packet.width[k] = 3 + unit(random);
-    packet.end[k] = packet.begin[k] + packet.width[k];
-    packet.value0[k] = 0.5 + unit(random), packet.value1[k] = unit(random);
-    packet.slope[k] = 2 + unit(random), packet.sign[k] = unit(random) < 0 ? -1 : 1;
-  }
-}
-unsigned search(const IsosurfaceKernels& kernels, SearchPacket& packet) {
-  alignas(64) double points[3 * SearchPacket::kCount], values[SearchPacket::kCount];
-  for (unsigned active = kernels.start(packet, 0xed); active != 0; active = kernels.advance(packet, values)) {
-    kernels.middles(packet, points);
-    for (int k = 0; k < SearchPacket::kCount; ++k) values[k] = std::sin(7 * points[k]) + points[8 + k] * points[16 + k];
-  }
-  unsigned found = 0;
-  for (int k = 0; k < SearchPacket::kCount; ++k) found |= packet.found[k] != 0 ? 1u << k : 0;
-  return found;
 }
 
 // Searches with a map of curvature end where those without it do, with the same steepest slope, after fewer steps.
@@ -164,30 +92,6 @@ TEST(IsosurfaceBatch, AMapChangesOnlyTheSteps) {
   EXPECT_LT(lost, 3);
   EXPECT_LT(doubtful, 100);  // of 3000
   EXPECT_LT(4 * steps[1], 3 * steps[0]);
-}
-
-TEST(IsosurfaceBatch, InstructionSetsGiveTheSameBits) {
-  std::mt19937 random(7);
-  int hits = 0;
-  for (int n = 0; n < 300; ++n) {
-    SearchPacket start{};
-    set_up(start, random);
-    SearchPacket plain = start;
-    const unsigned found = search(*isosurface_kernels(simd::kBaseline), plain);
-    EXPECT_EQ(found & ~0xedu, 0u);
-    hits += std::popcount(found);
-    for (int set = simd::kAvx2; set < simd::kInstructionSets; ++set) {
-      const IsosurfaceKernels* const kernels = isosurface_kernels(set);
-      if (!kernels) continue;
-      SearchPacket other = start;
-      ASSERT_EQ(search(*kernels, other), found);
-      each_lane(0xed, [&](int k) {
-        ASSERT_EQ(other.hit[k], plain.hit[k]);
-        ASSERT_EQ(other.steepest[k], plain.steepest[k]);
-      });
-    }
-  }
-  EXPECT_GT(hits, 300);
 }
 
 }  // namespace

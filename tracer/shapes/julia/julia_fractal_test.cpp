@@ -130,29 +130,6 @@ TEST(JuliaFractal, SubtractedItBoundsAndMovedItIsKept) {
   EXPECT_TRUE(compile(*rest)->inside({0, 0, 0})) << "a transformation puts its inside back";
 }
 
-TEST(JuliaFractal, RowsOfRaysMarchAsSingleRays) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (const auto& [hypercomplex, function] : {std::pair{false, scene::JuliaFunction::sqr},
-                                               {false, scene::JuliaFunction::cube},
-                                               {true, scene::JuliaFunction::sqr},
-                                               {true, scene::JuliaFunction::cube}}) {
-    int found = 0;
-    for (int n = 0; n < 20; ++n) {
-      scene::JuliaFractal f = quaternion();
-      for (double& p : f.parameter) p += 0.2 * unit(random);
-      f.hypercomplex = hypercomplex, f.function = function;
-      if (n % 2) f.slice = {0.2, -0.1, 0.3, 1}, f.slice_distance = 0.1;
-      f.max_iteration = 3 + static_cast<int>(random() % 10);
-      scene::Object o = object(f);
-      if (n % 3) o.transform = Transform::rotation({30, 40, 50}).then(Transform::scaling({0.9, 1.2, 0.8}));
-      const auto shape = compile(o);
-      for (int i = 0; i < 30 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*shape, random, found);
-    }
-    EXPECT_GT(found, 500);
-  }
-}
-
 TEST(JuliaFractal, HostileParametersEnd) {
   scene::JuliaFractal f = quaternion();
   f.parameter = {std::nan(""), 0, 0, 0};

@@ -1,14 +1,12 @@
-// Boxes tested eight at a time are found with every instruction set, and none that one test finds is left out.
+// Of boxes that are tested eight at a time none is left out that one test finds.
 #include "tracer/shapes/quadrics/box_set.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "tracer/bvh/bvh.h"
-#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes {
 namespace {
@@ -77,32 +75,6 @@ TEST(BoxSet, FindsTheBoxesOfARayAndOfAPoint) {
   EXPECT_GT(met, 1000);
   EXPECT_GT(missed, 10000);
   EXPECT_GT(around, 100);
-}
-
-TEST(BoxSet, IsTheSameWithAllInstructionSets) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr double kStrange[] = {0, -0.0, 1e300, -1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()};
-  for (int round = 0; round < 3000; ++round) {
-    EightBoxes boxes;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < 8; ++i)
-        boxes.low[axis][i] = unit(random), boxes.high[axis][i] = boxes.low[axis][i] + std::fabs(unit(random));
-    Vec3 origin(unit(random), unit(random), unit(random)),
-        reciprocal(1 / unit(random), 1 / unit(random), 1 / unit(random));
-    if (round % 3 == 0) (round % 2 ? origin : reciprocal)[round / 3 % 3] = kStrange[random() % std::size(kStrange)];
-    for (int set = 1; set <= simd::best_instruction_set(); ++set) {
-      ASSERT_EQ(box_kernels(set)->meet(boxes, origin, reciprocal, 0, 2e10),
-                box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
-      alignas(64) double near[8], plain[8];
-      const unsigned met = box_kernels(set)->meet_at(boxes, origin, reciprocal, 0, 2e10, near);
-      ASSERT_EQ(met, box_kernels(0)->meet_at(boxes, origin, reciprocal, 0, 2e10, plain));
-      ASSERT_EQ(met, box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
-      for (int i = 0; i < 8; ++i) ASSERT_TRUE(!(met >> i & 1) || near[i] == plain[i]);
-      ASSERT_EQ(box_kernels(set)->around(boxes, origin), box_kernels(0)->around(boxes, origin));
-    }
-  }
 }
 
 }  // namespace

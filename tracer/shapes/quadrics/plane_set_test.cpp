@@ -12,7 +12,6 @@
 #include "tracer/shapes/quadrics/plane.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
 #include "tracer/shapes/shape.h"
-#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes {
 namespace {
@@ -29,100 +28,6 @@ scene::Quadric quadric(const Vec3& square, const Vec3& linear, double constant) 
   q.square = square, q.mixed = Vec3(0), q.linear = linear, q.constant = constant;
   return q;
 }
-
-class PlaneKernel : public testing::TestWithParam<int> {};
-
-TEST_P(PlaneKernel, MeetsEachPlaneAsItIsMetAlone) {
-  const PlaneKernels* kernels = plane_kernels(GetParam());
-  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
-  int met = 0, behind = 0;
-  for (int round = 0; round < 2000; ++round) {
-    EightPlanes planes;
-    Ray ray{random_vector(3), normalize(random_vector(1))};
-    if (round % 7 == 0) ray.direction = Vec3(0, 0, 1);
-    if (round % 97 == 0) ray.origin.x = std::numeric_limits<double>::quiet_NaN();
-    for (int i = 0; i < 8; ++i) {
-      Vec3 n = normalize(random_vector(1));
-      if (round % 5 == i) n = Vec3(0), n[i % 3] = 1;
-      planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z;
-      planes.distance[i] = round % 11 == i ? 1e12 : random_vector(2).x;
-      planes.side[i] = i % 2 ? 1 : -1;
-    }
-    alignas(64) double t[8];
-    double enter = -1e9, leave = 1e9;
-    const unsigned bits = kernels->meet(planes, ray, 1e-6, t, enter, leave);
-    const unsigned back = kernels->behind(planes, ray.origin);
-    double first = -1e9, last = 1e9;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 n(planes.x[i], planes.y[i], planes.z[i]);
-      const double slope = dot(n, ray.direction), along = (planes.distance[i] - dot(n, ray.origin)) / slope;
-      ASSERT_EQ(bits >> i & 1, meets_plane(slope, along)) << round << " " << i;
-      if (bits >> i & 1) {
-        ASSERT_EQ(t[i], along);
-      }
-      ASSERT_EQ(back >> i & 1, dot(n, ray.origin) - planes.distance[i] < kEpsilon);
-      met += bits >> i & 1, behind += back >> i & 1;
-      const double margin = 1e-6 / std::fabs(slope), out = slope * planes.side[i];
-      if (out > kEpsilon && along + margin < last) last = along + margin;
-      if (out < -kEpsilon && along - margin > first) first = along - margin;
-    }
-    ASSERT_EQ(enter, first);
-    ASSERT_EQ(leave, last);
-  }
-  EXPECT_GT(met, 4000);
-  EXPECT_GT(behind, 4000);
-}
-
-TEST_P(PlaneKernel, MeetsAPlaneWithEightRaysAsWithEach) {
-  const PlaneKernels* kernels = plane_kernels(GetParam());
-  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
-  int within_box = 0, missed_box = 0;
-  for (int round = 0; round < 1000; ++round) {
-    EightPlanes planes;  // but for one they are met by nothing
-    const int i = round % 8, first = round % 9;
-    const Vec3 n = round % 5 ? normalize(random_vector(1)) : Vec3(0, 1, 0);
-    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.distance[i] = random_vector(2).x,
-    planes.side[i] = round % 3 ? 1 : -1;
-    const Vec3 corner = random_vector(2);
-    const Box3 box(corner - Vec3(1, 2, 1),
-                   corner + Vec3(1, 1, round % 4 ? 1 : std::numeric_limits<double>::infinity()));
-    RayBatch rays{};
-    alignas(64) double doubt[8], t[8], enter[8], leave[8], near[8], far[8];
-    for (int k = 0; k < 8; ++k) {
-      rays.origin.set(first + k, random_vector(3)),
-          rays.direction.set(first + k, (round + k) % 7 ? normalize(random_vector(1)) : Vec3(0, 0, 1));
-      doubt[k] = 1e-6 * (k + 1), enter[k] = near[k] = 1e-4, leave[k] = far[k] = k == 3 ? 1 : 1e7;
-    }
-    const unsigned met = kernels->meet_batch(planes, i, rays, first, doubt, t, enter, leave);
-    kernels->clip_batch(box, rays, first, near, far);
-    for (int k = 0; k < 8; ++k) {
-      const Ray ray = rays.at(first + k);
-      alignas(64) double alone[8];
-      double from = 1e-4, to = k == 3 ? 1 : 1e7;
-      const unsigned bits = kernels->meet(planes, ray, doubt[k], alone, from, to);
-      ASSERT_EQ(met >> k & 1, bits >> i & 1);
-      if (met >> k & 1) {
-        ASSERT_EQ(t[k], alone[i]);
-      }
-      ASSERT_EQ(enter[k], from);
-      ASSERT_EQ(leave[k], to);
-      from = 1e-4, to = k == 3 ? 1 : 1e7;
-      const bool inside = accel::clip_to_box(ray, box, from, to);
-      ASSERT_EQ(near[k] <= far[k], inside);
-      if (!inside) {
-        ++missed_box;
-        continue;
-      }
-      ++within_box;
-      ASSERT_EQ(near[k], from);
-      ASSERT_EQ(far[k], to);
-    }
-  }
-  EXPECT_GT(within_box, 300);
-  EXPECT_GT(missed_box, 300);
-}
-
-INSTANTIATE_TEST_SUITE_P(InstructionSets, PlaneKernel, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 TEST(PlaneSet, KnowsOutsideOfManyPlanesBothWaysRound) {
   PlaneSet set;

@@ -184,31 +184,5 @@ TEST(PatternProbes, LongOrbitsOfFractals) {
   EXPECT_GT(stay, 100);
 }
 
-// Eight orbits at once end as each does alone, with every instruction set.
-TEST(PatternProbes, OrbitsSideBySide) {
-  std::mt19937 random{12};
-  std::uniform_real_distribution<double> real(-1.5, 0.5), imaginary(-1, 1);
-  for (int set = 0; set < simd::kInstructionSets; ++set) {
-    const OrbitKernels* kernels = orbit_kernels(set);
-    if (!kernels) continue;
-    for (int n = 0; n < 60; ++n) {
-      FractalParams f;
-      f.iterations = n % 9 == 0 ? 0 : 40 * n, f.exponent = n % 13 == 0 ? 33 : 2 + n % 5,
-      f.julia = {real(random), imaginary(random)};
-      f.exterior_type = n % 9, f.exterior_factor = 3.5, f.interior_type = n % 7, f.interior_factor = 0.7;
-      constexpr PatternKind kKinds[] = {PatternKind::julia, PatternKind::mandel, PatternKind::magnet_julia,
-                                        PatternKind::magnet_mandel};
-      const PatternKind kind = kKinds[n % 4];
-      f.magnet = 1 + n / 4 % 2;
-      double x[40], y[40], values[40];
-      for (int i = 0; i < 40; ++i) x[i] = real(random), y[i] = imaginary(random);
-      const int count = 33 + n % 8;
-      fractal_batch(f, kind, count, x, y, values, *kernels);
-      for (int i = 0; i < count; ++i)
-        ASSERT_EQ(values[i], fractal(f, kind, {x[i], y[i], 0})) << "set " << set << " case " << n << " point " << i;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace verisim::textures

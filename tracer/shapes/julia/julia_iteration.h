@@ -1,0 +1,229 @@
+// What a julia_fractal's iteration makes of one point (spec 04 section 8): whether it stays, and normals.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "tracer/scene/object.h"
+#include "tracer/shapes/julia/julia_map.h"
+
+namespace verisim::shapes::julia {
+
+// The iterates h0 .. hN of one point. Short ones live on the stack.
+class Orbit {
+ public:
+  explicit Orbit(int length) {
+    if (length > kShort) heap_ = std::make_unique<Step[]>(static_cast<std::size_t>(length)), at_ = heap_.get();
+  }
+  const Number& operator[](int i) const { return at_[i].h; }
+  void set(int i, const Number& h) { copy(h, at_[i].h), at_[i].mapped = false; }
+  // f(hi), if it was computed on the way to the next.
+  void set_image(int i, const Number& image) { copy(image, at_[i].image), at_[i].mapped = true; }
+  const Number* image(int i) const { return at_[i].mapped ? &at_[i].image : nullptr; }
+  // Few ask for the last iterate of a point that stays: it comes from this one, hN-1 of the last such point.
+  void leave_last(const Number& before) { before_last_ = before, last_is_left_ = true; }
+  template <class Next>
+  void complete(int last, Next&& next) {
+    if (std::exchange(last_is_left_, false)) set(last, next(before_last_));
+  }
+
+ private:
+  struct Step {
+    Number h, image;
+    bool mapped;
+  };
+  // Component by component: a wide load of what was just written in pieces waits for it.
+  static void copy(const Number& from, Number& to) { to.x = from.x, to.y = from.y, to.z = from.z, to.w = from.w; }
+  static constexpr int kShort = 64;
+  alignas(Step) std::byte stack_[kShort * sizeof(Step)];  // not initialised: only what was computed is read
+  std::unique_ptr<Step[]> heap_;
+  Step* at_ = reinterpret_cast<Step*>(stack_);
+  Number before_last_;
+  bool last_is_left_ = false;
+};
+
+constexpr int kMaxIterations = 1 << 20;
+
+inline double bounding_radius(const scene::JuliaFractal& f) {
+  if (f.hypercomplex) return 4;
+  const auto& p = f.parameter;
+  return std::min(2.0, 1 + std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]) + 1e-7);
+}
+
+inline Field field_of(const scene::JuliaFractal& f) {
+  Field field;
+  field.parameter = {f.parameter[0], f.parameter[1], f.parameter[2], f.parameter[3]};
+  field.slice = {f.slice[0], f.slice[1], f.slice[2]}, field.slice_w = f.slice[3];
+  field.slice_distance = f.slice_distance;
+  field.iterations = std::clamp(f.max_iteration, 1, kMaxIterations);
+  field.precision = 1 / std::max(f.precision, 1.0);
+  const double radius = bounding_radius(f);
+  field.escape = f.hypercomplex ? 16 : radius * radius + 1e-7;
+  const scene::JuliaFunction g = f.function;
+  if (f.hypercomplex)
+    field.kind =
+        g == scene::JuliaFunction::sqr || g == scene::JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
+  else
+    field.kind = g == scene::JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
+  field.doubled = g == scene::JuliaFunction::sqr;
+  return field;
+}
+
+class Iteration {
+  using JuliaFunction = scene::JuliaFunction;
+
+  // Calls work with the kind of this fractal as a constant.
+  template <class F>
+  auto with_kind(F&& work) const {
+    switch (field_.kind) {
+      case Kind::quaternion_square:
+        return work.template operator()<Kind::quaternion_square>();
+      case Kind::quaternion_cube:
+        return work.template operator()<Kind::quaternion_cube>();
+      case Kind::hypercomplex_square:
+        return work.template operator()<Kind::hypercomplex_square>();
+      default:
+        return work.template operator()<Kind::other>();
+    }
+  }
+
+ public:
+  explicit Iteration(const scene::JuliaFractal& f) : f_(f), field_(field_of(f)) {
+    plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube ||
+             f.function == JuliaFunction::reciprocal;
+  }
+  const Field& field() const { return field_; }
+
+  // The point in four dimensions.
+  Number start(const Vec3& p) const { return start(p, false); }
+  // The same as the plain inside test takes it: POV-Ray replaces z by y there before w is computed for most functions.
+  Number start_of_inside(const Vec3& p) const { return start(p, !plain_); }
+  template <Kind K>
+  Number next(const Number& h) const {
+    if constexpr (K == Kind::quaternion_square)
+      return quaternion_square(h) + field_.parameter;
+    else if constexpr (K == Kind::quaternion_cube)
+      return quaternion_cube(h) + field_.parameter;
+    else if constexpr (K == Kind::hypercomplex_square)
+      return product(h, h) + field_.parameter;
+    else
+      return apply(f_.function, f_.exponent, h) + field_.parameter;
+  }
+  // Fills the orbit but for the last iterate; the step i >= 1 at which it escaped, or 0.
+  int iterate(Orbit& orbit, const Number& h0) const {
+    return with_kind([&]<Kind K>() {
+      Number h{h0.x, h0.y, h0.z, h0.w};
+      orbit.set(0, h);
+      for (int i = 1;; ++i) {
+        if (norm2<K>(h) > field_.escape) return i;
+        if (i == field_.iterations) break;
+        if constexpr (K == Kind::other) {
+          const Number image = apply(f_.function, f_.exponent, h);
+          orbit.set_image(i - 1, image);
+          h = image + field_.parameter;
+        } else {
+          h = next<K>(h);
+        }
+        orbit.set(i, h);
+      }
+      orbit.leave_last(h);
+      return 0;
+    });
+  }
+  void complete(Orbit& orbit) const {
+    with_kind([&]<Kind K>() {
+      orbit.complete(field_.iterations, [&](const Number& h) { return next<K>(h); });
+      return 0;
+    });
+  }
+  bool inside(const Vec3& p) const {
+    return with_kind([&]<Kind K>() {
+      Number h = start_of_inside(p);
+      for (int i = 1;; ++i) {
+        if (norm2<K>(h) > field_.escape) return false;
+        if (i == field_.iterations) return true;
+        h = next<K>(h);
+      }
+    });
+  }
+
+  // Out of the set, of any length.
+  Vec3 normal(const Orbit& orbit, int last) const {
+    return f_.hypercomplex ? hypercomplex_normal(orbit, last) : quaternion_normal(orbit, last);
+  }
+  Vec3 hypercomplex_normal(const Orbit& orbit, int last) const {
+    Number m = orbit[0], n = orbit[last];
+    if (field_.kind == Kind::hypercomplex_square) {
+      for (int j = 1; j < last; ++j) m = product(orbit[j], m);
+    } else {
+      m = other_product(orbit, last);
+    }
+    if (f_.function == JuliaFunction::sqr) {
+      const double scale = std::ldexp(1.0, std::max(last, 1));
+      n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
+    }
+    return {m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w, -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
+            -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w};
+  }
+
+ private:
+  Number start(const Vec3& p, bool quirk) const {
+    const double z = quirk ? p.y : p.z;
+    return {p.x, p.y, z,
+            (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
+  }
+  template <Kind K>
+  static double norm2(const Number& h) {
+    return K == Kind::other ? h.norm2_from_left() : h.norm2();
+  }
+
+  // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.
+  Vec3 quaternion_normal(const Orbit& orbit, int last) const {
+    Number dx{1, 0, 0, 0}, dy{0, 1, 0, 0}, dz{0, 0, 1, 0};
+    const bool cube = f_.function == JuliaFunction::cube;
+    for (int i = 0; i < last; ++i) {
+      const Number& h = orbit[i];
+      for (Number* d : {&dx, &dy, &dz}) {
+        if (cube) {
+          const double inner = h.y * d->y + h.z * d->z + h.w * d->w;
+          const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q,
+                       dt = 6 * h.x * d->x - 2 * inner;
+          *d = {3 * (x2 - q) * d->x - 6 * h.x * inner, dt * h.y + t * d->y, dt * h.z + t * d->z, dt * h.w + t * d->w};
+        } else {
+          *d = {h.x * d->x - h.y * d->y - h.z * d->z - h.w * d->w, h.x * d->y + h.y * d->x, h.x * d->z + h.z * d->x,
+                h.x * d->w + h.w * d->x};
+        }
+      }
+    }
+    const Number& h = orbit[last];
+    const auto along = [&](const Number& d) { return h.x * d.x + h.y * d.y + h.z * d.z + h.w * d.w; };
+    return {along(dx), along(dy), along(dz)};
+  }
+
+  Number other_product(const Orbit& orbit, int last) const {
+    Number m = orbit[0];
+    for (int j = 1; j < last; ++j) {
+      switch (f_.function) {
+        case JuliaFunction::reciprocal: {
+          const Number r = reciprocal(orbit[j]), r2 = product(r, r);
+          m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
+          break;
+        }
+        default: {
+          const Number* const image = orbit.image(j);
+          m = product(image ? *image : apply(f_.function, f_.exponent, orbit[j]), m);
+        }
+      }
+    }
+    return m;
+  }
+
+  scene::JuliaFractal f_;
+  Field field_;
+  bool plain_;  // without the quirk of start_of_inside
+};
+
+}  // namespace verisim::shapes::julia

@@ -1,0 +1,163 @@
+// The march of one ray through a julia_fractal (spec 04 section 8): steps by estimates of the distance, then bisection.
+// The hit depends on the whole sequence of steps, so it is followed exactly.
+#pragma once
+
+#include "tracer/shapes/julia/julia_iteration.h"
+
+namespace verisim::shapes::julia {
+
+class March {
+ public:
+  explicit March(const Iteration& iteration) : iteration_(iteration), field_(iteration.field()) {}
+
+  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, its point, by
+  // how much later hits' distances fall short) says whether to stop. Where the march ends is counted short, too.
+  template <class Found>
+  void walk(Orbit& orbit, const Ray& r, double t, double end, double last, Found&& found) const {
+    double estimate, uncounted = 0;
+    Vec3 p = r.origin + t * r.direction;
+    bool in = march(orbit, p, r.direction, estimate);
+    if (in) {
+      t += 2 * kFine, p += 2 * kFine * r.direction;
+      if (t > end) return;
+      in = march(orbit, p, r.direction, estimate);
+    }
+    const auto crossed = [&](const Reached& base, double step, bool now) {
+      const Reached hit = bisect(orbit, base, r.direction, step, in);
+      const double before = uncounted;
+      in = now;
+      uncounted += t - hit.depth;
+      return found(hit.depth, hit.point, before);
+    };
+    while (t <= last) {
+      if (estimate <= field_.precision && field_.kind != Kind::other) {
+        // Where the smallest step is due it mostly is so for many steps: look ahead.
+        double ahead[kLanes], estimates[kLanes], at = t;
+        Points points;
+        Vec3 next_point = p;
+        for (int k = 0; k < kLanes; ++k) {
+          ahead[k] = at += field_.precision;
+          points.set(k, next_point += field_.precision * r.direction);
+        }
+        if (!(ahead[0] - uncounted <= end)) return;
+        const unsigned inside = kernels().march(field_, points, r.direction, estimates);
+        for (int k = 0; k < kLanes; ++k) {
+          if (!(ahead[k] - uncounted <= end)) return;
+          const Reached base{t, p};
+          t = ahead[k], p = points[k], estimate = estimates[k];
+          const bool now = inside >> k & 1;
+          if (now != in && crossed(base, field_.precision, now)) return;
+          if (estimate > field_.precision) break;
+        }
+        continue;
+      }
+      const double step = std::max(estimate, field_.precision);
+      const Reached base{t, p};
+      t += step, p += step * r.direction;
+      if (!(t - uncounted <= end)) return;
+      const bool now = march(orbit, p, r.direction, estimate);
+      if (now != in && crossed(base, step, now)) return;
+    }
+  }
+
+ private:
+  // Where the march is: the point is carried along, step by step, and its bits are not those of the distance.
+  struct Reached {
+    double depth;
+    Vec3 point;
+    Reached onward(double by, const Vec3& direction) const { return {depth + by, point + by * direction}; }
+  };
+
+  // The intersection reported for a change of state between base and base + step; `in` is the state at base.
+  Reached bisect(Orbit& orbit, const Reached& base, const Vec3& direction, double step, bool in) const {
+    Reached low = base;
+    double width = step;
+    if (field_.kind == Kind::other) {
+      while (width > kFine) {
+        width /= 2;
+        const Reached middle = low.onward(width, direction);
+        if ((iteration_.iterate(orbit, iteration_.start_of_inside(middle.point)) == 0) == in) low = middle;
+      }
+      return in ? low : low.onward(width, direction);
+    }
+    // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it
+    // has the state of the base.
+    while (width > kFine) {
+      const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2;
+      const Reached middle = low.onward(w1, direction), quarter = low.onward(w2, direction),
+                    last = middle.onward(w2, direction);
+      const Reached heap[7] = {middle,
+                               quarter,
+                               last,
+                               low.onward(w3, direction),
+                               quarter.onward(w3, direction),
+                               middle.onward(w3, direction),
+                               last.onward(w3, direction)};
+      Points points;
+      for (int k = 0; k < kLanes; ++k) points.set(k, heap[std::min(k, 6)].point);
+      const unsigned inside = kernels().inside(field_, points);
+      for (unsigned n = 0; n < 7 && width > kFine;) {
+        width /= 2;
+        const bool same = (inside >> n & 1) == static_cast<unsigned>(in);
+        if (same) low = heap[n];
+        n = 2 * n + (same ? 2 : 1);
+      }
+    }
+    return in ? low : low.onward(width, direction);
+  }
+
+  // Inside at the point, and how far the ray may go from there.
+  bool march(Orbit& orbit, const Vec3& point, const Vec3& direction, double& estimate) const {
+    const Number h0 = iteration_.start(point);
+    if (field_.kind == Kind::quaternion_square) return march_quaternion<Kind::quaternion_square>(h0, estimate);
+    if (field_.kind == Kind::quaternion_cube) return march_quaternion<Kind::quaternion_cube>(h0, estimate);
+    const int escaped = iteration_.iterate(orbit, h0);
+    estimate = field_.precision;
+    if (escaped == 0) return true;
+    const Number& h = orbit[escaped - 1];
+    const double q = field_.kind == Kind::other ? h.norm2_from_left() : h.norm2();
+    const double slope = dot(iteration_.hypercomplex_normal(orbit, escaped - 1), direction);
+    if (slope < -1e-8) {
+      const double decrease = -2 * slope;
+      if (field_.precision * decrease < q && q < 30 * field_.precision * decrease) estimate = q / decrease;
+    }
+    return false;
+  }
+
+  template <Kind K>
+  bool march_quaternion(const Number& h0, double& estimate) const {
+    Number h = h0;
+    double product2 = 1, power = 1;
+    for (int i = 1; i <= field_.iterations; ++i) {
+      const double q = h.norm2();
+      product2 *= q;
+      power *= K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2;
+      if (q > field_.escape) {
+        // ln q <= q - 1: most of the smallest steps need neither logarithm nor the product itself, for whose last bits
+        // that of the lengths does not stand.
+        estimate = power * std::sqrt(q / product2) * (q - 1) > field_.precision
+                       ? power * std::sqrt(q / product_norm2<K>(h0, i)) * std::log(q)
+                       : field_.precision;
+        return false;
+      }
+      if (i < field_.iterations) h = iteration_.template next<K>(h);
+    }
+    estimate = field_.precision;
+    return true;
+  }
+  // |h(count-1) ... h1 h0|^2
+  template <Kind K>
+  double product_norm2(Number h, int count) const {
+    Number m = h;
+    for (int i = 1; i < count; ++i) {
+      h = iteration_.template next<K>(h);
+      m = quaternion_product(h, m);
+    }
+    return m.norm2_from_left();
+  }
+
+  const Iteration& iteration_;
+  const Field& field_;
+};
+
+}  // namespace verisim::shapes::julia

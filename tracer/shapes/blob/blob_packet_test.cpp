@@ -1,5 +1,9 @@
 // Eight rays and the parts of a blob: the same bits with every instruction set.
 #include "tracer/shapes/blob/blob_packet.h"
+
+#include <algorithm>
+#include <numeric>
+
 #include "tracer/shapes/blob/blob_parts.h"
 #include "tracer/shapes/packet_test_support.h"
 
@@ -92,6 +96,24 @@ TEST_P(BlobKernel, FindsInATreeWhatRaysMeetOneByOne) {
     }
   }
   EXPECT_GT(met, 3000u);
+}
+
+TEST_P(BlobKernel, RanksNumbersAsAStableSortDoes) {
+  const BlobKernels* kernels = blob_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  std::mt19937 random(3);
+  for (int count = 1; count <= 64; ++count) {
+    for (const unsigned different : {1u, 4u, 1000000u}) {
+      alignas(64) double numbers[64], places[64];
+      for (int i = 0; i < count; ++i) numbers[i] = static_cast<double>(random() % different) - 2;
+      kernels->ranks(numbers, count, places);
+      std::vector<int> order(static_cast<std::size_t>(count));
+      std::iota(order.begin(), order.end(), 0);
+      std::ranges::stable_sort(order, {}, [&](int i) { return numbers[i]; });
+      for (int place = 0; place < count; ++place)
+        ASSERT_EQ(places[order[static_cast<std::size_t>(place)]], place) << count << ' ' << different;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BlobKernel, all_instruction_sets());

@@ -25,7 +25,7 @@ namespace {
 using namespace blob;
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
-constexpr std::size_t kFewEvents = 4, kRankedEvents = 64, kManyEvents = 2048;
+constexpr std::size_t kFewEvents = 4, kRankedEvents = 48, kManyEvents = 2048;
 constexpr std::size_t kMaxTextures = 512;
 
 using Part = BlobPart;
@@ -230,13 +230,15 @@ class Blob final : public SearchPrimitive<Blob> {
   }
   // Writes the ends of pieces section by section of the way, which lies between `start` and start + span.
   static void write_by_sections(const Scratch<Piece>& pieces, double start, double span, Event* list) {
-    constexpr std::size_t kSections = 1024;  // so many that few ends share one
-    const double scale = std::min((kSections - 1) / span, 1e300);
+    constexpr std::size_t kMost = 1024;
+    const std::size_t sections = std::min(kMost, std::bit_ceil(4 * pieces.size()));  // so many that few ends share one
+    const double scale = std::min(static_cast<double>(sections - 1) / span, 1e300);
     const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
-    std::uint16_t next[kSections + 1] = {};
+    std::uint16_t next[kMost + 1];
+    std::fill_n(next, sections + 1, std::uint16_t{0});
     for (std::size_t i = 0; i < pieces.size(); ++i)
       ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];
-    for (std::size_t i = 1; i < kSections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
+    for (std::size_t i = 1; i < sections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
     each_event(pieces, [&](const Event& event) { list[next[section(event.t)]++] = event; });
   }
 

@@ -51,14 +51,42 @@ TEST(JuliaPacket, AgreeWithSinglePoints) {
       double estimate[kLanes];
       Points points;
       for (int k = 0; k < kLanes; ++k) points.set(k, o + 0.05 * k * d);
-      const unsigned inside = kernels().inside(f, points);
-      EXPECT_EQ(kernels().march(f, points, d, estimate), inside);
+      const unsigned inside = kernels().march(f, points, d, estimate);
       for (int k = 0; k < kLanes; ++k) {
         ASSERT_EQ(inside >> k & 1, static_cast<unsigned>(survives(f, points[k])));
         inside_seen += inside >> k & 1;
       }
     }
     EXPECT_GT(inside_seen, 100);
+  }
+}
+
+TEST(JuliaPacket, FourHalvingsAskForTheMiddlesThatASearchComesTo) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-1.6, 1.6);
+  for (const Field& f : fields()) {
+    int inside_seen = 0;
+    for (int n = 0; n < 1000; ++n) {
+      const Vec3 from(coordinate(random), coordinate(random), coordinate(random)),
+          d = 0.1 * Vec3(coordinate(random), coordinate(random), coordinate(random));
+      const unsigned inside = kernels().halvings(f, from, d, 1);
+      for (unsigned way = 0; way < 16; ++way) {  // bit i: after halving i the farther half
+        Vec3 low = from;
+        double width = 1;
+        unsigned node = 0;
+        for (int i = 0; i < 4; ++i) {
+          width /= 2;
+          const Vec3 middle = low + width * d;
+          const bool survived = survives(f, middle);
+          ASSERT_EQ(inside >> node & 1, static_cast<unsigned>(survived)) << node;
+          inside_seen += survived;
+          const bool farther = way >> i & 1;
+          if (farther) low = middle;
+          node = 2 * node + (farther ? 2 : 1);
+        }
+      }
+    }
+    EXPECT_GT(inside_seen, 1000);
   }
 }
 

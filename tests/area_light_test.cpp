@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 #include "tests/support/probe.h"
 
 namespace verisim {
@@ -18,7 +20,7 @@ class AreaLight : public testing::TestWithParam<Grid> {};
 // A clear ball around the light, which nobody sees, changes nothing but that rays must be asked one by one what they
 // meet.
 TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
-  const auto picture = [](const char* ball, render::Statistics& counted) {
+  const auto picture = [](const char* ball, render::Statistics& counted, const render::Options& options = {}) {
     return test::render_text(fmt::format(R"(
       #version 3.7; global_settings {{ assumed_gamma 1 }}
       camera {{ location <0, 4, -6> look_at <0, 0.5, 0> }}
@@ -32,7 +34,7 @@ torus {{ 0.8, 0.15 translate <-1, 1.5, 1> }}
         pigment {{ rgb 0.7 }}
       }})",
                                          GetParam().sizes, GetParam().options, ball),
-                             64, 48, {}, &counted);
+                             64, 48, options, &counted);
   };
   render::Statistics rays_together, rays_alone;
   const render::Framebuffer together = picture("", rays_together),
@@ -47,6 +49,15 @@ torus {{ 0.8, 0.15 translate <-1, 1.5, 1> }}
     }
   }
   EXPECT_EQ(rays_together.shadow_rays, rays_alone.shadow_rays) << "none is asked twice";
+  if (std::string_view(GetParam().options).find("jitter") == std::string_view::npos) {
+    // One sample after another, each quarter summed.
+    render::Options in_turn;
+    in_turn.replay = true;
+    render::Statistics rays_in_turn;
+    const render::Framebuffer quartered = picture("", rays_in_turn, in_turn);
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 64; ++x) ASSERT_TRUE(together.at(x, y) == quartered.at(x, y)) << x << ' ' << y;
+  }
   EXPECT_GT(half_lit, 50) << "there should be penumbras";
 }
 

@@ -18,11 +18,8 @@ constexpr std::size_t kLeafSize = 4;  // ranges of so few entries are not divide
 constexpr float kEmptyLimit = 1e10f;
 constexpr double kBehind = 1e-10;  // boxes that end nearer are behind the ray
 
-// Ascending by the upper halves; the lower ones, ascending before, keep their order where those are equal.
-void sort_keys(std::vector<std::uint64_t>& keys) {
-  constexpr std::size_t kMany = 2000;  // from here on a sort by digits is the faster one
-  if (keys.size() < kMany) return std::sort(keys.begin(), keys.end());
-  constexpr unsigned kBits = 11;
+template <unsigned kBits>
+void sort_by_digits(std::vector<std::uint64_t>& keys) {
   std::vector<std::uint64_t> other(keys.size());
   for (unsigned shift = 32; shift < 64; shift += kBits) {
     std::array<std::uint32_t, 1u << kBits> begin{};
@@ -32,6 +29,15 @@ void sort_keys(std::vector<std::uint64_t>& keys) {
     for (const std::uint64_t key : keys) other[begin[digit(key)]++] = key;
     keys.swap(other);
   }
+}
+
+// Ascending by the upper halves; the lower ones, ascending before, keep their order where those are equal. By digits,
+// as nobody foresees how comparisons end.
+void sort_keys(std::vector<std::uint64_t>& keys) {
+  constexpr std::size_t kSome = 64, kMany = 1000;
+  if (keys.size() < kSome) return std::sort(keys.begin(), keys.end());
+  if (keys.size() < kMany) return sort_by_digits<8>(keys);
+  sort_by_digits<11>(keys);
 }
 
 // Half the surface, before lengths are rounded: parts of symmetric scenes are equally good but for its last bits.
@@ -141,22 +147,28 @@ void Hierarchy::sort_by_middle(std::span<Boxed> range, std::size_t axis) {
   }
 }
 
+// But what ends further away counts with its lower corner.
+std::size_t Hierarchy::longest_axis(std::span<const Boxed> range) {
+  float least[3] = {kEmptyLimit, kEmptyLimit, kEmptyLimit}, most[3] = {-kEmptyLimit, -kEmptyLimit, -kEmptyLimit};
+  for (const Boxed& item : range) {
+    const Bounds& b = item.bounds;
+    for (std::size_t a = 0; a < 3; ++a) {
+      least[a] = std::min(least[a], b.low[a]);
+      most[a] = b.low[a] + b.size[a] > most[a] ? b.low[a] : most[a];
+    }
+  }
+  std::size_t axis = 0;
+  float longest = -std::numeric_limits<float>::max();
+  for (std::size_t a = 0; a < 3; ++a)
+    if (most[a] - least[a] > longest) longest = most[a] - least[a], axis = a;
+  return axis;
+}
+
 // Divides a range by the surface areas of its parts, appends the nodes that it ends in. `areas`: room for one number
 // each.
 void Hierarchy::split(std::span<Boxed> range, std::span<double> areas, std::vector<Boxed>& nodes) {
   const std::size_t n = range.size();
-  // The longest axis; but what ends further away counts with its lower corner.
-  std::size_t axis = 0;
-  float longest = -std::numeric_limits<float>::max();
-  for (std::size_t a = 0; a < 3; ++a) {
-    float least = kEmptyLimit, most = -kEmptyLimit;
-    for (const Boxed& item : range) {
-      const Bounds& b = item.bounds;
-      least = std::min(least, b.low[a]);
-      if (b.low[a] + b.size[a] > most) most = b.low[a];
-    }
-    if (most - least > longest) longest = most - least, axis = a;
-  }
+  const std::size_t axis = longest_axis(range);
   sort_by_middle(range, axis);
   std::size_t best = n;
   if (n > kLeafSize) {

@@ -124,6 +124,7 @@ class Hierarchy {
     scene::Bounds bounds;
     std::uint32_t node;
   };
+  static std::size_t longest_axis(std::span<const Boxed> range);
   static void sort_by_middle(std::span<Boxed> range, std::size_t axis);
   Boxed add_node(std::span<const Boxed> children);
   void split(std::span<Boxed> range, std::span<double> areas, std::vector<Boxed>& nodes);

@@ -315,8 +315,9 @@ class Tracer {
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
   Rgb area_sample(AreaGrid& grid, int column, int batch);
   void area_last_stretch(const AreaGrid& grid, Rgb& color);
-  void ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
-  void ask_first_corners(const AreaGrid& grid);
+  // The light that all of them let arrive; nothing: they differ.
+  std::optional<Rgb> ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
+  std::optional<Rgb> ask_first_corners(const AreaGrid& grid);
 
   const SceneData& scene_;
   RandomSource random_;

@@ -46,8 +46,8 @@ struct LaneHits {
   std::size_t begin[RayPacket::kCount] = {}, end[RayPacket::kCount] = {};
 };
 
-// Which rays see an object (spec 03 5.5, 06 10.3). Radiosity's, too, are other ones behind a transparent surface and in a
-// mirror.
+// Which rays see an object (spec 03 5.5, 06 10.3). Radiosity's, too, are other ones behind a transparent surface and in
+// a mirror.
 enum class RayKind : unsigned char {
   camera,
   refracted,

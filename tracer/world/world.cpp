@@ -243,25 +243,33 @@ void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
 void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside) {
   constexpr std::size_t kMax = 4;
   constexpr double kFar = 3;  // times the size of all others
-  std::vector<std::uint32_t> largest(finite);
-  std::copy_if(beside.begin(), beside.end(), std::back_inserter(largest),
+  std::vector<std::uint32_t> candidates(finite);
+  std::copy_if(beside.begin(), beside.end(), std::back_inserter(candidates),
                [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
-  if (largest.size() < 2) return;
-  const std::size_t most = std::min(kMax, largest.size() - 1);
-  const auto size = [&](std::uint32_t i) { return length(entries[i].box().size()); };
-  std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(),
-                    [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
-  for (std::size_t count = most; count > 0 && around.empty(); --count) {
-    Box3 others;
-    for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box());
+  if (candidates.size() < 2) return;
+  const std::size_t most = std::min(kMax, candidates.size() - 1);
+  struct Sized {
+    double size;
+    std::uint32_t entry;
+  };
+  std::vector<Sized> by_size(candidates.size());
+  std::ranges::transform(candidates, by_size.begin(), [&](std::uint32_t i) {
+    return Sized{length(entries[i].box().size()), i};
+  });
+  std::ranges::partial_sort(by_size, by_size.begin() + static_cast<std::ptrdiff_t>(most), std::greater<>(),
+                            &Sized::size);
+  const auto box = [&](std::size_t k) { return entries[by_size[k].entry].box(); };
+  Box3 others;
+  for (std::size_t k = most; k < by_size.size(); ++k) others.extendBy(box(k));
+  for (std::size_t count = most; count > 0 && around.empty(); others.extendBy(box(--count))) {
     const Vec3 center = 0.5 * (others.min + others.max), reach = 0.5 * kFar * (others.max - others.min);
     const Box3 wide(center - reach, center + reach);
     for (std::size_t k = 0; k < count; ++k) {
-      const Entry& e = entries[largest[k]];
+      const Entry& e = entries[by_size[k].entry];
       const Box3 surface = e.shape->bounds();
       const auto enclosure = shapes::InteriorProxy::of(*e.object);
       if (enclosure && enclosure->holds(wide) && contains(e.box(), surface.min) && contains(e.box(), surface.max))
-        around.push_back({largest[k], *enclosure});
+        around.push_back({by_size[k].entry, *enclosure});
     }
     if (around.size() < count) around.clear();
   }

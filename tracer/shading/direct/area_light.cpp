@@ -21,6 +21,19 @@ constexpr auto kInTurn = [] {
   return numbers;
 }();
 
+Rgb mean(const Rgb& a, const Rgb& b, const Rgb& c, const Rgb& d) { return (a + b + c + d) * 0.25f; }
+
+// Whether some colours are one.
+struct Agreement {
+  std::optional<Rgb> color;
+  bool disagreed = false;
+  void add(const Rgb& other) {
+    if (!color) color = other;
+    disagreed = disagreed || !(*color == other);
+  }
+  std::optional<Rgb> all() const { return disagreed ? std::nullopt : color; }
+};
+
 }  // namespace
 
 // By default the offsets of a grid's samples are multi-jittered (Chiu, Shirley and Wang 1994; with one shuffle for all
@@ -65,7 +78,11 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   ++corner_stamp_;
   grid.attenuates = light_on_way_changes(light);
   if (!light.projector() && !in_order_ && !grid.attenuates) grid.together = true, grid.entry = shadow_entry(query, p);
-  if (grid.together) ask_first_corners(grid);
+  // Where all first samples agree, as they do beside penumbras, no others are asked for, and means of one colour are
+  // that colour, unless its sum is too large for binary32.
+  if (grid.together)
+    if (const auto all = ask_first_corners(grid); all && all->r >= 0 && mean(*all, *all, *all, *all) == *all)
+      return *all;
   Rgb result = area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
   if (grid.attenuates) area_last_stretch(grid, result);
   return result;
@@ -102,13 +119,15 @@ Rgb Tracer::area_sample(AreaGrid& grid, int column, int batch) {
 
 // The samples in these columns and rows that are not known, at once; those on whose way media may draw random numbers
 // are left for later.
-void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches) {
+std::optional<Rgb> Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns,
+                                       std::span<const int> batches) {
   const Light& light = grid.query.light;
   RayBatch rays;
   double distance[RayBatch::kSize];
   GridPlaces places;
   CornerResult* corners[RayBatch::kMax];
   int count = 0;
+  Agreement agreement;
   const bool any_decides = only_opaque(grid.entry);
   const bool draws = scene_.effects && scene_.effects->interior_draws_count;
   const auto ask = [&] {
@@ -121,6 +140,7 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
       const bool decides = any_decides || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards);
       if (!(distance[k] > 2 * kShadowTolerance) || (draws && !decides)) {
         corners[k]->stamp = 0;
+        agreement.disagreed = true;
         continue;
       }
       if (!decides) {
@@ -134,10 +154,17 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
     }
     bool blocked[RayBatch::kMax] = {};
     scene_.world.occluded_batch(rays, 0, active, contact_tolerance(light), distance, grid.entry, blocked);
-    for (int k = 0; k < active; ++k) *corners[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
+    for (int k = 0; k < active; ++k) {
+      const Rgb color = blocked[k] ? Rgb() : grid.color;
+      *corners[k] = {color, corner_stamp_};
+      agreement.add(color);
+    }
     if (filtered.count > 0) {
       filter_row(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
-      for (int k = 0; k < filtered.count; ++k) *filtered_corners[k] = {filtered.light[k], corner_stamp_};
+      for (int k = 0; k < filtered.count; ++k) {
+        *filtered_corners[k] = {filtered.light[k], corner_stamp_};
+        agreement.add(filtered.light[k]);
+      }
     }
     statistics_.shadow_rays += static_cast<std::uint64_t>(active + filtered.count);
     count = 0;
@@ -154,10 +181,11 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
     }
   }
   if (count > 0) ask();
+  return agreement.all();
 }
 
 // Those that quartering asks for whatever it finds.
-void Tracer::ask_first_corners(const AreaGrid& grid) {
+std::optional<Rgb> Tracer::ask_first_corners(const AreaGrid& grid) {
   const Light& light = grid.query.light;
   const int levels = light.source().adaptive;
   // The coordinates of corners, halved and halved again.
@@ -179,7 +207,7 @@ void Tracer::ask_first_corners(const AreaGrid& grid) {
     lines(light.size1(), area_lines_[0]), lines(light.size2(), area_lines_[1]);
     area_lines_of_ = of;
   }
-  ask_corners(grid, area_lines_[0], area_lines_[1]);
+  return ask_corners(grid, area_lines_[0], area_lines_[1]);
 }
 
 Rgb Tracer::area_corner(AreaGrid& grid, int u, int v) {
@@ -213,7 +241,7 @@ Rgb Tracer::area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int dept
       c[3] = area_region(grid, u_high, v_high, u2, v2, depth + 1);
     }
   }
-  return (c[0] + c[1] + c[2] + c[3]) * 0.25f;
+  return mean(c[0], c[1], c[2], c[3]);
 }
 
 }  // namespace verisim::shading

@@ -25,7 +25,7 @@ namespace {
 using namespace blob;
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
-constexpr std::size_t kFewEvents = 16, kManyEvents = 512;
+constexpr std::size_t kFewEvents = 4, kRankedEvents = 48, kManyEvents = 2048;
 constexpr std::size_t kMaxTextures = 512;
 
 using Part = BlobPart;
@@ -230,14 +230,26 @@ class Blob final : public SearchPrimitive<Blob> {
   }
   // Writes the ends of pieces section by section of the way, which lies between `start` and start + span.
   static void write_by_sections(const Scratch<Piece>& pieces, double start, double span, Event* list) {
-    constexpr std::size_t kSections = 64;
-    const double scale = std::min((kSections - 1) / span, 1e300);
+    constexpr std::size_t kMost = 1024;
+    const std::size_t sections = std::min(kMost, std::bit_ceil(4 * pieces.size()));  // so many that few ends share one
+    const double scale = std::min(static_cast<double>(sections - 1) / span, 1e300);
     const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
-    std::uint16_t next[kSections + 1] = {};
+    std::uint16_t next[kMost + 1];
+    std::fill_n(next, sections + 1, std::uint16_t{0});
     for (std::size_t i = 0; i < pieces.size(); ++i)
       ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];
-    for (std::size_t i = 1; i < kSections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
+    for (std::size_t i = 1; i < sections; ++i) next[i] = static_cast<std::uint16_t>(next[i] + next[i - 1]);
     each_event(pieces, [&](const Event& event) { list[next[section(event.t)]++] = event; });
+  }
+
+  // The same in order, but for those at one place.
+  static void write_by_ranks(const Scratch<Piece>& pieces, Event* list) {
+    alignas(64) double ends[kRankedEvents], places[kRankedEvents];
+    std::size_t count = 0;
+    each_event(pieces, [&](const Event& event) { ends[count++] = event.t; });
+    blob_kernels().ranks(ends, static_cast<int>(count), places);
+    count = 0;
+    each_event(pieces, [&](const Event& event) { list[static_cast<std::size_t>(places[count++])] = event; });
   }
 
   // The ends of pieces, from near to far.
@@ -247,7 +259,10 @@ class Blob final : public SearchPrimitive<Blob> {
     if (count <= kFewEvents) {
       each_event(pieces, [&](const Event& event) { insert(event, list, end++); });
     } else if (count <= kManyEvents) {
-      write_by_sections(pieces, start, span, list);
+      if (count <= kRankedEvents)
+        write_by_ranks(pieces, list);
+      else
+        write_by_sections(pieces, start, span, list);
       for (; end < list + count; ++end)
         if (end > list && *end < end[-1]) insert(Event(*end), list, end);
     } else {
@@ -301,8 +316,8 @@ class Blob final : public SearchPrimitive<Blob> {
     const double c3 = (4 * power[4] * a + power[3]) * w2 * width, c4 = power[4] * w2 * w2;
     const double b[5] = {c0, c0 + c1 / 4, c0 + c1 / 2 + c2 / 6, c0 + 0.75 * c1 + c2 / 2 + c3 / 4,
                          c0 + c1 + c2 + c3 + c4};
-    const auto [least, most] = std::minmax_element(b, b + 5);
-    return {*least, *most};
+    return {std::min(std::min(std::min(b[0], b[1]), std::min(b[2], b[3])), b[4]),
+            std::max(std::max(std::max(b[0], b[1]), std::max(b[2], b[3])), b[4])};
   }
   static bool keeps_its_sign(const double* power, double from, double to) {
     const Range range = range_between(power, from, to);

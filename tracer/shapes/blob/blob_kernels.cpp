@@ -185,7 +185,35 @@ bool find_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction,
   return true;
 }
 
-const BlobKernels kKernels = {near_parts, parts_around, find_pieces, find_pieces_in_tree, find_piece};
+// How many of numbers[first .. end) stand before those of the packet.
+template <class Before>
+HWY_INLINE Packet count_before(const double* numbers, int first, int end, const Before& before) {
+  // A sum waits for itself: four take turns.
+  Packet sums[4] = {0.0, 0.0, 0.0, 0.0};
+  int j = first;
+  for (; j + 4 <= end; j += 4)
+    for (int k = 0; k < 4; ++k) sums[k] += select(before(numbers[j + k]), Packet(1), Packet(0));
+  for (; j < end; ++j) sums[0] += select(before(numbers[j]), Packet(1), Packet(0));
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+// All are compared with all: no branch hangs on how they lie.
+void ranks(const double* numbers, int count, double* places) {
+  alignas(64) static constexpr double kLaneNumbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
+  const Packet lane = load(kLaneNumbers);
+  for (int i = 0; i < count; i += kLanes) {
+    const Packet here = load(numbers + i);
+    Packet place = count_before(numbers, 0, i, [&](double other) { return Packet(other) <= here; });
+    for (int k = 0; k < kLanes && i + k < count; ++k)
+      place += select((Packet(numbers[i + k]) < here) |
+                          ((Packet(numbers[i + k]) == here) & (Packet(static_cast<double>(k)) < lane)),
+                      Packet(1), Packet(0));
+    place += count_before(numbers, i + kLanes, count, [&](double other) { return Packet(other) < here; });
+    store(places + i, place);
+  }
+}
+
+const BlobKernels kKernels = {near_parts, parts_around, find_pieces, find_pieces_in_tree, find_piece, ranks};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -56,6 +56,9 @@ struct BlobKernels {
                                 PiecePacket* pieces, std::size_t most);
   // Whether one ray comes within reach of a part, and where.
   bool (*piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece);
+  // The place of each of some numbers, which are none of them NaN, among all in order; equal ones keep theirs. Numbers
+  // are read and places written eight at a time.
+  void (*ranks)(const double* numbers, int count, double* places);
 };
 
 // Those of the best instruction set of this machine.

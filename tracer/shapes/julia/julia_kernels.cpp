@@ -157,16 +157,29 @@ HWY_INLINE Numbers start(const Field& f, const Place& p) {
   return {p.x, p.y, p.z, (f.slice_distance - f.slice.x * p.x - f.slice.y * p.y - f.slice.z * p.z) / f.slice_w};
 }
 
+// The points of the first three halvings, one of them twice, and those of the fourth: two orbits that wait for nothing
+// of each other. A lane is moved by the halves whose farther part it lies in, one after another, and by half of what is
+// left, as a search moves.
 template <Kind K>
-HWY_INLINE unsigned inside_of(const Field& f, const Points& points) {
-  Numbers h = start(f, load_place(points.at));
-  Mask out = Mask::of_bits(0);
+HWY_INLINE unsigned halvings_of(const Field& f, const Vec3& from, const Vec3& d, double width) {
+  const Place direction{Packet(d.x), Packet(d.y), Packet(d.z)},
+      start_place{Packet(from.x), Packet(from.y), Packet(from.z)};
+  const auto move = [&](Place& place, unsigned lanes, double by) {
+    place = select_place(Mask::of_bits(lanes), onward(place, Packet(by), direction), place);
+  };
+  const double half = width / 2, quarter = half / 2, eighth = quarter / 2;
+  Place first = start_place, last = start_place;
+  move(first, 0b11100101, half), move(first, 0b11010110, quarter), move(first, 0b11111000, eighth);
+  move(last, 0b11110000, half), move(last, 0b11001100, quarter), move(last, 0b10101010, eighth);
+  move(last, kAll, eighth / 2);
+  Numbers h = start(f, first), g = start(f, last);
+  Mask out = Mask::of_bits(0), out_last = out;
   for (int i = 1; i <= f.iterations; ++i) {
-    out = out | (norm2(h) > f.escape);
-    if (bits(out) == kAll) return 0;
-    h = next<K>(h, f.parameter);
+    out = out | (norm2(h) > f.escape), out_last = out_last | (norm2(g) > f.escape);
+    if (bits(out & out_last) == kAll) return 0;
+    h = next<K>(h, f.parameter), g = next<K>(g, f.parameter);
   }
-  return ~bits(out) & kAll;
+  return (~bits(out) & 0x7f) | (~bits(out_last) & kAll) << 7;
 }
 
 // The library's, of the lanes that are asked for.
@@ -324,8 +337,8 @@ HWY_INLINE unsigned with_kind(const Field& f, Work&& work) {
   }
 }
 
-unsigned inside_packet(const Field& f, const Points& points) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return inside_of<K>(f, points); });
+unsigned halvings(const Field& f, const Vec3& from, const Vec3& direction, double width) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return halvings_of<K>(f, from, direction, width); });
 }
 unsigned march_packet(const Field& f, const Points& points, const Vec3& direction, double* estimate) {
   return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, points, direction, estimate); });
@@ -336,7 +349,7 @@ unsigned first_intersections(const Field& f, const Rays& rays, const Interval& i
       f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth, points); });
 }
 
-constexpr Kernels kKernels{inside_packet, march_packet, enter, first_intersections};
+constexpr Kernels kKernels{halvings, march_packet, enter, first_intersections};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -80,26 +80,12 @@ class March {
       }
       return in ? low : low.onward(width, direction);
     }
-    // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it
-    // has the state of the base.
     while (width > kFine) {
-      const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2;
-      const Reached middle = low.onward(w1, direction), quarter = low.onward(w2, direction),
-                    last = middle.onward(w2, direction);
-      const Reached heap[7] = {middle,
-                               quarter,
-                               last,
-                               low.onward(w3, direction),
-                               quarter.onward(w3, direction),
-                               middle.onward(w3, direction),
-                               last.onward(w3, direction)};
-      Points points;
-      for (int k = 0; k < kLanes; ++k) points.set(k, heap[std::min(k, 6)].point);
-      const unsigned inside = kernels().inside(field_, points);
-      for (unsigned n = 0; n < 7 && width > kFine;) {
+      const unsigned inside = kernels().halvings(field_, low.point, direction, width);
+      for (unsigned n = 0; n < 15 && width > kFine;) {
         width /= 2;
         const bool same = (inside >> n & 1) == static_cast<unsigned>(in);
-        if (same) low = heap[n];
+        if (same) low = low.onward(width, direction);
         n = 2 * n + (same ? 2 : 1);
       }
     }

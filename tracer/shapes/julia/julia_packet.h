@@ -68,10 +68,11 @@ struct alignas(64) RaysInGrid {
 
 // Not for Kind::other.
 struct Kernels {
-  // Bit k: points[k] survives all iterations.
-  unsigned (*inside)(const Field& field, const Points& points);
-  // The same, and how far a ray of that direction may go from each point (spec 04 section 8, step estimates): exact
-  // where above the precision, else anything not above it.
+  // What the next four halvings of a ray's way from a point may ask for, as a heap of 15 bits: whether the point in the
+  // middle survives all iterations; after bit n comes 2 n + 1 for the nearer half, 2 n + 2 for the farther one.
+  unsigned (*halvings)(const Field& field, const Vec3& from, const Vec3& direction, double width);
+  // Bit k: points[k] survives all iterations; and how far a ray of that direction may go from each point (spec 04
+  // section 8, step estimates): exact where above the precision, else anything not above it.
   unsigned (*march)(const Field& field, const Points& points, const Vec3& direction, double* estimate);
   // The lanes of `active` that meet cells of the grid within the bounding sphere, each as far as t_max.
   unsigned (*enter)(const Grid& grid, double radius, const LocalPacket& rays, unsigned active, const double* t_max,

@@ -177,8 +177,8 @@ constexpr const char* kPicturesPrelude = R"(#version 3.7; global_settings { assu
 constexpr int kWidth = 48, kHeight = 36;
 
 // One way to trace a scene's rays; each has a cache of radiosity of its own.
-struct Way {
-  explicit Way(const scene::Scene& scene, shading::Observer* observer)
+struct TracedWay {
+  explicit TracedWay(const scene::Scene& scene, shading::Observer* observer)
       : prepared(scene, options_of()),
         camera(prepared.camera(options_of())),
         tracer(prepared.data(), RandomSource(false, 0)),
@@ -213,7 +213,7 @@ void expect_the_same_rays(const render::Statistics& a, const render::Statistics&
 // Rows of pixels and places anywhere; `watched` does everything one by one, `alone` what hangs on one camera ray.
 void expect_the_same(const scene::Scene& scene, Journal& journal) {
   shading::Observer watching;
-  Way together(scene, nullptr), alone(scene, nullptr), watched(scene, &watching);
+  TracedWay together(scene, nullptr), alone(scene, nullptr), watched(scene, &watching);
   const auto compare = [&](const Vec2& place, const Color& color) {
     const Color each = watched.sampler(place.x, place.y);
     ASSERT_TRUE(color == each) << place;

@@ -113,7 +113,8 @@ constexpr PictureLine kPictureLines[] = {
 
 constexpr const char* kPicturesPrelude = R"(#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }
 #macro View() camera { location <0,1.5,-6> } #end
-#macro Lens(Focus, A, F, N) camera { location <0,1.5,-6> aperture A focal_point <0,1,F-6> blur_samples N variance 1e-3 } #end
+#macro Lens(Focus, A, F, N)
+  camera { location <0,1.5,-6> aperture A focal_point <0,1,F-6> blur_samples N variance 1e-3 } #end
 #macro MeshCamera(N)
   camera { mesh_camera { N 0 #for (M, 0, N-1) mesh {
     #for (Y, 0, 35-M) #for (X, 0, 47) #local P = <5*X/48-2.5, 2-2.5*Y/36, -6-M>;
@@ -133,7 +134,8 @@ constexpr const char* kPicturesPrelude = R"(#version 3.7; global_settings { assu
   #case (6) reflection .4 #break #case (7) diffuse .6, .5 phong .8 phong_size 70 #break #case (8) specular .7 metallic
   #break #case (9) brilliance 3 #break #case (10) reflection { <.1,.3,.2>, .6 exponent 1.5 } irid { .4 thickness .3 }
   #break #case (11) crand .2 specular .5 roughness .002 metallic #break #end #end
-#macro Ball(I) sphere { <mod(I,4)*1.2-1.8,.4+div(I,4),.3*mod(I,3)>, .55 pigment { rgbt <.2+.06*I,.5,.4,select(I-8,0,.5,0)> }
+#macro Ball(I) sphere { <mod(I,4)*1.2-1.8,.4+div(I,4),.3*mod(I,3)>, .55 pigment { rgbt
+  <.2+.06*I,.5,.4,select(I-8,0,.5,0)> }
   finish { Shine(I) } interior { ior 1.2 In() } hollow } #end
 #macro Balls() #for (I, 0, 11) Ball(I) #end Floor() #end
 #macro Plain() #for (I, 0, 11) #if (mod(I,4)) sphere { <mod(I,4)*1.2-1.8,.4+div(I,4),.3*mod(I,3)>, .55

@@ -75,9 +75,9 @@ TEST(OctreeOrder, ChildrenComeBeforeTheirNodeByXThenYThenZ) {
   for (int child = 0; child < 8; ++child)
     walk.push_back({2 * node.x + (child >> 2), 2 * node.y + (child >> 1 & 1), 2 * node.z + (child & 1), 1});
   walk.push_back(node);
-  walk.push_back({node.x, node.y, node.z + 1, 2});             // the upper half along z of what holds both
-  walk.push_back({4 * node.x, 4 * (node.y + 1), 0, 0});        // a small one beyond, along y
-  walk.push_back({node.x >> 2, node.y >> 2, node.z >> 2, 4});  // what holds all of them
+  walk.push_back({node.x, node.y, node.z + 1, 2});                      // the upper half along z of what holds both
+  walk.push_back({4 * node.x, 4 * (node.y + 1), 4 * (node.z + 1), 0});  // a small one beyond, along y
+  walk.push_back({node.x >> 3, node.y >> 3, node.z >> 3, 5});           // what holds all of them
   for (std::size_t i = 1; i < walk.size(); ++i)
     EXPECT_LT(OctreeOrder(walk[i - 1]), OctreeOrder(walk[i])) << "cell " << i;
 }

@@ -33,12 +33,12 @@ void add_waves(const CompiledNormal& c, int count, const PointBatch& p, PointBat
   using functions::Code, functions::Instruction;
   static_assert(PointBatch::kMax == functions::ProgramKernels::kWide);
   static constexpr Instruction kSine[] = {{Code::sin, 0, 0}};
-  static const functions::ProgramKernels& kernels = functions::packet_kernels();
+  static const functions::ProgramKernels& programs = functions::packet_kernels();
   for (const WaveSource& source : *c.pattern->as<WaveData>().sources) {
     const SourceWave wave(*c.pattern, c.amount, source);
     alignas(64) double distances[PointBatch::kMax], sines[PointBatch::kMax];
     normals_of().wave_angles(source, wave, count, p, distances, sines);
-    kernels.wide(std::span(kSine), {}, sines, ~0ull >> (PointBatch::kMax - count));
+    programs.wide(std::span(kSine), {}, sines, ~0ull >> (PointBatch::kMax - count));
     normals_of().add_wave(source, wave, count, p, distances, sines, n);
   }
 }

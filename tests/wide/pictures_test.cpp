@@ -176,7 +176,7 @@ constexpr const char* kPicturesPrelude = R"(#version 3.7; global_settings { assu
   #if (T=5) eccentricity .4 #end } intervals 3 samples 4 jitter J } } } #end
 )";
 
-constexpr int kWidth = 48, kHeight = 36;
+constexpr int kPictureWidth = 48, kPictureHeight = 36;
 
 // One way to trace a scene's rays; each has a cache of radiosity of its own.
 struct TracedWay {
@@ -192,7 +192,7 @@ struct TracedWay {
   static const render::Options& options_of() {
     static const render::Options options = [] {
       render::Options o;
-      o.width = kWidth, o.height = kHeight, o.threads = 1;
+      o.width = kPictureWidth, o.height = kPictureHeight, o.threads = 1;
       return o;
     }();
     return options;
@@ -223,12 +223,13 @@ void expect_the_same(const scene::Scene& scene, Journal& journal) {
     journal.add(each.r), journal.add(each.g), journal.add(each.b), journal.add(each.t);
   };
   std::vector<Color> colors(3 * Wavefront::kMax);
-  for (int y = 0; y < kHeight; ++y) {
-    together.sampler.row(0, y, kWidth, colors.data());
-    for (int x = 0; x < kWidth; ++x) ASSERT_NO_FATAL_FAILURE(compare(Vec2(x, y), colors[static_cast<std::size_t>(x)]));
+  for (int y = 0; y < kPictureHeight; ++y) {
+    together.sampler.row(0, y, kPictureWidth, colors.data());
+    for (int x = 0; x < kPictureWidth; ++x)
+      ASSERT_NO_FATAL_FAILURE(compare(Vec2(x, y), colors[static_cast<std::size_t>(x)]));
   }
   std::mt19937 random{5};
-  std::uniform_real_distribution<double> beside(-1.4, 1.4), across(0, kWidth - 1), down(0, kHeight - 1);
+  std::uniform_real_distribution<double> beside(-1.4, 1.4), across(0, kPictureWidth - 1), down(0, kPictureHeight - 1);
   for (int count = 1; count < 3 * Wavefront::kMax; count += 17) {
     const Vec2 near(across(random), down(random));
     std::vector<Vec2> places;
@@ -251,7 +252,7 @@ TEST(WidePictures, AreThoseOfRaysThatGoOneByOne) {
       SCOPED_TRACE(line.name);
       journal.begin(line.name);
       parser::ParseOptions options;
-      options.width = kWidth, options.height = kHeight;
+      options.width = kPictureWidth, options.height = kPictureHeight;
       const parser::ParseResult result =
           parser::parse_text(std::string(kPicturesPrelude) + line.sdl, "line.pov", options);
       EXPECT_TRUE(result.errors.empty()) << parser::format(result.errors.front());

@@ -16,7 +16,7 @@ namespace verisim::test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kRays = RayPacket::kCount;
+constexpr int kPacketRays = RayPacket::kCount;
 
 // A solid or a sheet about as large as the unit ball; M: the modifiers of a variant.
 struct ObjectLine {
@@ -216,7 +216,7 @@ class RandomRays {
  public:
   void fill(int round, int first) {
     const Vec3 eye = vector(round % 2 ? 3.0 : 0.5), aim = vector(0.6), step = vector(round % 4 == 1 ? 0.1 : 0.01);
-    for (int k = 0; k < kRays; ++k) {
+    for (int k = 0; k < kPacketRays; ++k) {
       const int i = first + k;
       Vec3 from = vector(round % 2 ? 3.0 : 0.5), to = vector(0.6);
       if (round % 5 == 1) from = eye, to = aim + step * double(k);
@@ -233,7 +233,7 @@ class RandomRays {
 
   std::mt19937 random{21};
   std::unique_ptr<RayBatch> rays = std::make_unique<RayBatch>();
-  alignas(64) double limit[kRays];
+  alignas(64) double limit[kPacketRays];
   unsigned active = 255;
 
  private:
@@ -278,11 +278,11 @@ void expect_the_same(const shapes::Shape& shape, int rounds, int& met, Journal& 
     random.fill(round, first);
     const RayPacket packet{*random.rays, first, random.active};
     const double t_min = round % 7 == 0 ? 1.5 : round % 7 == 1 ? 0 : 1e-4;
-    Hit hits[kRays], alone;
+    Hit hits[kPacketRays], alone;
     const unsigned found = shape.intersect_packet(packet, nullptr, RayKind::camera, t_min, random.limit, hits),
                    blocked = shape.occludes_packet(packet, nullptr, t_min, random.limit);
     ASSERT_EQ(found & ~packet.active, 0u);
-    for (int k = 0; k < kRays; ++k) {
+    for (int k = 0; k < kPacketRays; ++k) {
       if (!(packet.active >> k & 1)) continue;
       const Ray ray = packet.at(k);
       const bool hit = shape.intersect(ray, RayKind::camera, t_min, random.limit[k], alone);

@@ -134,7 +134,6 @@ Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::Patter
     map->push_back({static_cast<float>(i), parser.parse_color()});
     parser.optional_comma();
   }
-  if (map->empty()) return nullptr;
   for (int i = static_cast<int>(map->size()); i < size; ++i)
     map->push_back({static_cast<float>(i), built_in_color(kind, i)});
   return map;

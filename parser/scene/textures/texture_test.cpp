@@ -47,7 +47,9 @@ TEST(Pigments, ListsAreFilledFromTheBuiltInColors) {
   const auto checker = pigment_of("checker rgb <1,0,0>");
   ASSERT_EQ(checker->color_map->size(), 2u);
   EXPECT_EQ((*checker->color_map)[1].value, Color(0, 1, 0));
-  EXPECT_FALSE(pigment_of("hexagon")->color_map);
+  const auto hexagon = pigment_of("hexagon")->color_map;  // which a later pattern takes as its map
+  ASSERT_EQ(hexagon->size(), 3u);
+  EXPECT_EQ((*hexagon)[2].value, Color(1, 0, 0));
   EXPECT_EQ(pigment_of("brick pigment{rgb 1} pigment{bozo}")->pigment_map->size(), 2u);
 }
 

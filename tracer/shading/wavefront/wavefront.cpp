@@ -55,6 +55,7 @@ void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Col
   Rgb own = own_light(finish, color.rgb(), scene_.ambient_light, opacity);
   if (indirect_) {
     begin_branch(i, RandomBranch::indirect(texture, part->index));
+    if (part->index == 0) met_[i].at->indirect = met_[i].at->indirect_back = {};  // as in Tracer::shade_layers
     own += scene_.effects->indirect_light(tracer_, ray_state(i), *met_[i].at, layer_context(*part));
   }
   packet_.own.r[k] = own.r, packet_.own.g[k] = own.g, packet_.own.b[k] = own.b;

@@ -97,7 +97,15 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
       color = {};
       return;
     }
-    if (!query.light.highlights()) return;  // shadowless: the projector is all it heeds
+    if (!query.light.highlights()) {  // shadowless: the projector and the air are all it heeds
+      RayState eye = query.eye;
+      eye.ray = ray;
+      if (left)
+        *left = {ray, distance};
+      else if (distance > kShadowTolerance)
+        shadow_volumes(query, eye, distance, false, color);
+      return;
+    }
     behind = distance - hit.t;
     distance = hit.t;
   }

@@ -156,7 +156,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
   bool any_reflection = false;
   const int index = at.textures++;
   at.indirect = at.indirect_back = {};  // each of blended textures asks for its own
-  double eta = 0;  // of fresnel; 0: not yet known
+  double eta = 0;                       // of fresnel; 0: not yet known
   for (const textures::CompiledLayer& layer : texture.layers) {
     if (!(translucency > adc)) break;
     const scene::Finish& finish = layer.finish;

@@ -73,8 +73,10 @@ Vec3 project(const ProjectionStep& w, const Vec3& p) {
     case spherical: {
       const double distance = length(p);
       if (distance == 0) return p;
-      const double phi = 0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / std::numbers::pi;
-      return orient(w.orientation, turn(p.x, p.z, radius) * interval(distance), phi * interval(distance), distance);
+      const Vec3 d(p.x / distance, p.y / distance, p.z / distance);
+      const double phi = 0.5 + std::asin(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi;
+      const double theta = turn(d.x, d.z, std::sqrt(d.x * d.x + d.z * d.z));
+      return orient(w.orientation, theta * interval(distance), phi * interval(distance), distance);
     }
     default: {
       if (radius == 0) return p;
@@ -87,17 +89,19 @@ Vec3 project(const ProjectionStep& w, const Vec3& p) {
   }
 }
 
-// Unfolds a cube: each face gets its place in a cross of a 4 x 3 grid.
+// Unfolds a cube: each face gets its place in a cross of a 4 x 3 grid. Sixths are multiplied, not divided, as POV-Ray
+// has them.
 Vec3 unfold_cube(const Vec3& p) {
   const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);
   const double largest = std::max({ax, ay, az});
   if (largest == 0) return p;
-  if (p.x == largest) return {0.75 - (p.z / p.x + 1) / 8, 1.0 / 3 + (p.y / p.x + 1) / 6, p.x};
-  if (p.y == largest) return {0.25 + (p.x / p.y + 1) / 8, 1 - (p.z / p.y + 1) / 6, p.y};
-  if (p.z == largest) return {0.25 + (p.x / p.z + 1) / 8, 1.0 / 3 + (p.y / p.z + 1) / 6, p.z};
-  if (ax == largest) return {(p.z / ax + 1) / 8, 1.0 / 3 + (p.y / ax + 1) / 6, ax};
-  if (ay == largest) return {0.25 + (p.x / ay + 1) / 8, (p.z / ay + 1) / 6, ay};
-  return {1 - (p.x / az + 1) / 8, 1.0 / 3 + (p.y / az + 1) / 6, az};
+  constexpr double kThird = 1.0 / 3, kSixth = 1.0 / 6;
+  if (p.x == largest) return {0.75 - (p.z / p.x + 1) / 8, kThird + (p.y / p.x + 1) * kSixth, p.x};
+  if (p.y == largest) return {0.25 + (p.x / p.y + 1) / 8, 1 - (p.z / p.y + 1) * kSixth, p.y};
+  if (p.z == largest) return {0.25 + (p.x / p.z + 1) / 8, kThird + (p.y / p.z + 1) * kSixth, p.z};
+  if (ax == largest) return {(p.z / ax + 1) / 8, kThird + (p.y / ax + 1) * kSixth, ax};
+  if (ay == largest) return {0.25 + (p.x / ay + 1) / 8, (p.z / ay + 1) * kSixth, ay};
+  return {1 - (p.x / az + 1) / 8, kThird + (p.y / az + 1) * kSixth, az};
 }
 
 struct Walk {

@@ -34,11 +34,11 @@ void collect_lights(const Object& object, bool in_group, std::vector<const scene
   }
 }
 
-// A text is the union of its letters (spec 04 section 9), unless it is not dissolved, or a single one.
-bool is_dissolved_text(const Object& object, bool split_unions) {
+// A text is the union of its letters (spec 04 section 9). Where nothing hangs on it, one object stands for all.
+bool is_union_of_letters(const Object& object) {
   const auto* text = object.as<std::shared_ptr<const scene::Text>>();
-  if (!text || (*text)->text.size() < 2 || object.inverted || !is_split(object)) return false;
-  return object.bounded_by.empty() || split_unions;
+  if (!text || object.inverted || !object.clipped_by.empty()) return false;
+  return (*text)->text.size() > 1 || !object.bounded_by.empty();
 }
 
 std::vector<ObjectPtr> letters_of(const Object& object) {
@@ -57,17 +57,23 @@ std::vector<ObjectPtr> letters_of(const Object& object) {
   return letters;
 }
 
+ObjectPtr union_of_letters(const Object& object) {
+  scene::Csg letters;
+  for (ObjectPtr& letter : letters_of(object)) letters.children.push_back(std::move(letter));
+  auto whole = std::make_shared<Object>(object);
+  whole->shape = std::move(letters);
+  return whole;
+}
+
 void collect_objects(const Object& object, bool split_unions, bool copied, FrameList& list) {
   copied = copied || object.copied;
   if (is_dissolved(object, split_unions)) {
     for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, copied, list);
     return;
   }
-  if (is_dissolved_text(object, split_unions)) {
-    for (ObjectPtr& letter : letters_of(object)) {
-      list.letters.push_back(std::move(letter));
-      collect_objects(*list.letters.back(), split_unions, copied, list);
-    }
+  if (is_union_of_letters(object)) {
+    list.texts.push_back(union_of_letters(object));
+    collect_objects(*list.texts.back(), split_unions, copied, list);
     return;
   }
   ++list.entries;

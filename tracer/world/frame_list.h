@@ -9,7 +9,7 @@ namespace verisim::accel {
 
 struct FrameList {
   std::vector<const scene::Object*> objects;  // unions dissolved where POV-Ray dissolves them; no light sources
-  std::vector<scene::ObjectPtr> letters;      // those of the objects that texts were dissolved into
+  std::vector<scene::ObjectPtr> texts;        // unions of letters that stand for them: the scene does not have these
   std::vector<bool> copied;                   // each of the objects, or a union around it, is a copy of a declared one
   std::vector<const scene::LightSource*> lights;  // that light the whole scene, in file order
   std::size_t entries = 0;                        // as POV-Ray counts them: light sources included

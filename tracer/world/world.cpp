@@ -162,7 +162,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   Impl& w = *impl_;
   FrameList list = frame_list(scene, arrangement.split_unions);
   w.lights = std::move(list.lights);
-  w.letters = std::move(list.letters);
+  w.texts = std::move(list.texts);
   w.in_order = std::cmp_less(list.entries, arrangement.bounding_threshold);
 
   std::vector<Box3> boxes;

@@ -151,7 +151,7 @@ class SurfaceList {
 
 struct World::Impl {
   std::vector<Entry> entries;
-  std::vector<scene::ObjectPtr> letters;  // of texts: entries that the scene does not have
+  std::vector<scene::ObjectPtr> texts;  // as unions of letters, which the scene does not have
   std::vector<std::unique_ptr<Shape>> shapes;
   std::vector<std::uint32_t> unbounded;      // entries beside the tree
   std::vector<std::optional<Plane>> planes;  // of each of them that is one

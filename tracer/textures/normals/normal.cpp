@@ -59,10 +59,8 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
     case scene::PatternKind::ripples:
     case scene::PatternKind::waves:
       return waves_bump(pattern, c.amount, p, n);
-    case scene::PatternKind::quilted: {
-      const Quilt q = quilt(pattern.as<QuiltedData>(), p);
-      return n + c.amount * q.q * q.u;
-    }
+    case scene::PatternKind::quilted:
+      return n + c.amount * quilt(pattern.as<QuiltedData>(), p);
     case scene::PatternKind::facets:
       return facets(pattern.as<scene::FacetsParams>(), p, n);
     default:

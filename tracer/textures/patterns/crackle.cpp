@@ -13,15 +13,8 @@ namespace {
 
 const CrackleKernels& best_kernels = crackle_kernels();
 
-// A point's cell and its place within.
-struct CellPlace {
-  std::int64_t a, b, c;
-  Vec3 place;
-};
-CellPlace locate(const Vec3& p) {
-  const std::int64_t a = floor_to_int(p.x - kEpsilon), b = floor_to_int(p.y - kEpsilon),
-                     c = floor_to_int(p.z - kEpsilon);
-  return {a, b, c, Vec3(p.x - static_cast<double>(a), p.y - static_cast<double>(b), p.z - static_cast<double>(c))};
+const CrackleCell& cell_of(CrackleMetric metric, const Vec3& p) {
+  return crackle_cell(metric, floor_to_int(p.x - kEpsilon), floor_to_int(p.y - kEpsilon), floor_to_int(p.z - kEpsilon));
 }
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -31,10 +24,10 @@ struct MetricAny {
   double operator()(double d) const { return std::pow(std::fabs(d), exponent); }
   // Above this sum of squares no point is among the nearest three. With q = sum d^2, the sum of |d|^m lies between
   // q^(m/2) and 3^(1 - m/2) q^(m/2); so no point counts whose q is above that of the third by q times 3^|1 - 2/m|.
-  double largest_square(const CrackleCell& cell, const Vec3& place) const {
+  double largest_square(const CrackleCell& cell, const Vec3& p) const {
     constexpr double kMargin = 1e-9;  // far above the rounding of powers, as long as these are usual
     if (!(exponent >= 0.01 && exponent <= 64)) return kNoLimit;
-    return best_kernels.squares(cell, place).s[2] * std::pow(3.0, std::fabs(1 - 2 / exponent)) * (1 + kMargin);
+    return best_kernels.squares(cell, p).s[2] * std::pow(3.0, std::fabs(1 - 2 / exponent)) * (1 + kMargin);
   }
 };
 // Of metric 1, as facets have it: differences keep their signs.
@@ -51,19 +44,17 @@ struct Nearest {
 // The three smallest sums over the axes of metric(difference), for metrics that are seldom used.
 template <class Metric>
 Nearest nearest_three(const Vec3& p, Metric metric) {
-  const CellPlace at = locate(p);
-  const CrackleCell& cell = crackle_cell(CrackleMetric::any, at.a, at.b, at.c);
-  const double px = at.place.x, py = at.place.y, pz = at.place.z;
+  const CrackleCell& cell = cell_of(CrackleMetric::any, p);
   alignas(64) double squares[CrackleCell::kMax];
   for (int i = 0; i < CrackleCell::kMax; ++i) {
-    const double x = cell.x[i] - px, y = cell.y[i] - py, z = cell.z[i] - pz;
+    const double x = cell.x[i] - p.x, y = cell.y[i] - p.y, z = cell.z[i] - p.z;
     squares[i] = x * x + y * y + z * z;
   }
-  const double largest = metric.largest_square(cell, at.place);
+  const double largest = metric.largest_square(cell, p);
   Nearest best{{kNoLimit, kNoLimit, kNoLimit}, p};
   for (std::size_t i = 0; i < kCrackleOffsets.size(); ++i) {
     if (squares[i] > largest) continue;
-    const double s = metric(cell.x[i] - px) + metric(cell.y[i] - py) + metric(cell.z[i] - pz);
+    const double s = metric(cell.x[i] - p.x) + metric(cell.y[i] - p.y) + metric(cell.z[i] - p.z);
     if (s < best.s[0]) {
       best.s[2] = best.s[1];
       best.s[1] = best.s[0];
@@ -76,23 +67,20 @@ Nearest nearest_three(const Vec3& p, Metric metric) {
       best.s[2] = s;
     }
   }
-  best.point += Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
   return best;
 }
 
 // The nearest of the random points by sums of squares.
 Vec3 nearest_point(const Vec3& p) {
-  const CellPlace at = locate(p);
-  const CrackleCell& cell = crackle_cell(CrackleMetric::squares, at.a, at.b, at.c);
+  const CrackleCell& cell = cell_of(CrackleMetric::squares, p);
   double least = std::numeric_limits<double>::infinity();
   int nearest = 0;
   for (int i = 0; i < cell.count; ++i) {
-    const double x = cell.x[i] - at.place.x, y = cell.y[i] - at.place.y, z = cell.z[i] - at.place.z,
+    const double x = cell.x[i] - p.x, y = cell.y[i] - p.y, z = cell.z[i] - p.z,
                  s = x * x + y * y + z * z;
     if (s < least) least = s, nearest = i;
   }
-  return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]) +
-         Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
+  return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]);
 }
 
 // The pattern's value from the three smallest distances.
@@ -108,9 +96,9 @@ double in_form(const CrackleData& data, double s0, double s1, double s2) {
   return clamp01(sum);
 }
 
-// The cells of a row's points, and their places there.
+// The cells of a batch's points, and the points.
 struct CrackleBatch {
-  alignas(64) double cell[3][PointBatch::kMax], place[3][PointBatch::kMax];
+  alignas(64) double cell[3][PointBatch::kMax], point[3][PointBatch::kMax];
   bool together(int i, int k) const {
     return cell[0][i] == cell[0][k] && cell[1][i] == cell[1][k] && cell[2][i] == cell[2][k];
   }
@@ -154,14 +142,14 @@ class CrackleValues {
     if (n <= kAlone) {
       for (int k = 0; k < n; ++k) {
         const NearestThree nearest = (squares_ ? best_kernels.squares : best_kernels.sums)(
-            cell, {batch.place[0][found[k]], batch.place[1][found[k]], batch.place[2][found[k]]});
+            cell, {batch.point[0][found[k]], batch.point[1][found[k]], batch.point[2][found[k]]});
         values_[found[k]] = in_form(data_, nearest.s[0], nearest.s[1], nearest.s[2]);
       }
       return;
     }
     CrackleEight at;
     for (int k = 0; k < 8; ++k)
-      for (int axis = 0; axis < 3; ++axis) at.place[axis][k] = batch.place[axis][found[std::min(k, n - 1)]];
+      for (int axis = 0; axis < 3; ++axis) at.point[axis][k] = batch.point[axis][found[std::min(k, n - 1)]];
     (squares_ ? best_kernels.squares_of_eight : best_kernels.sums_of_eight)(cell, at);
     alignas(64) double values[8];
     best_kernels.in_form(at, form_, data_.offset_power, squares_, values);
@@ -203,7 +191,7 @@ void crackle_batch(const CrackleData& data, int noise_generator, int count, cons
     }
     for (int axis = 0; axis < 3; ++axis) {
       std::copy_n(at.cell[axis], 8, batch.cell[axis] + first);
-      std::copy_n(at.place[axis], 8, batch.place[axis] + first);
+      std::copy_n(at.point[axis], 8, batch.point[axis] + first);
     }
     open |= ((std::uint64_t{1} << std::min(count - first, 8)) - 1) << first;
   }
@@ -218,10 +206,8 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
   }
   NearestThree n;
   if (c.metric == 2 || c.metric == 1) {
-    const CellPlace at = locate(p);
-    const CrackleCell& cell =
-        crackle_cell(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, at.a, at.b, at.c);
-    n = c.metric == 2 ? best_kernels.squares(cell, at.place) : best_kernels.sums(cell, at.place);
+    const CrackleCell& cell = cell_of(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, p);
+    n = c.metric == 2 ? best_kernels.squares(cell, p) : best_kernels.sums(cell, p);
   } else {
     const Nearest nearest = nearest_three(p, MetricAny{c.metric});
     n = {{nearest.s[0], nearest.s[1], nearest.s[2]}};

@@ -83,8 +83,8 @@ HWY_INLINE Packet measured(Packet x, Packet y, Packet z) {
 }
 
 template <CrackleMetric metric>
-NearestThree nearest_three(const CrackleCell& cell, const Vec3& place) {
-  const Packet px = Packet(place.x), py = Packet(place.y), pz = Packet(place.z);
+NearestThree nearest_three(const CrackleCell& cell, const Vec3& p) {
+  const Packet px = Packet(p.x), py = Packet(p.y), pz = Packet(p.z);
   const Packet far = Packet(1e300);
   Smallest best{far, far, far};
   for (int i = 0; i < cell.count; i += 8)
@@ -103,14 +103,14 @@ bool locate(const double* x, const double* y, const double* z, CrackleEight& at)
   for (int k = 0; k < 3; ++k) {
     const Packet v = load(p[k]), n = cell_of(v);
     store(at.cell[k], n);
-    store(at.place[k], v - n);
+    store(at.point[k], v);
     one = one && all_within(n - Packet(at.cell[k][0]), 0.5);
   }
   return one;
 }
 template <CrackleMetric metric>
 void nearest_of_eight(const CrackleCell& cell, CrackleEight& at) {
-  const Packet px = load(at.place[0]), py = load(at.place[1]), pz = load(at.place[2]);
+  const Packet px = load(at.point[0]), py = load(at.point[1]), pz = load(at.point[2]);
   const Packet far = Packet(1e300);
   Smallest best{far, far, far};
   for (int i = 0; i < cell.count; ++i)

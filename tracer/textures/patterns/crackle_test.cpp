@@ -24,10 +24,11 @@ TEST(Crackle, RemembersEveryPointThatCanBeAmongTheNearestThree) {
     Vec3 place(unit(random), unit(random), unit(random));
     if (i % 5 == 0) place.x = i % 10 == 0 ? 1 : 1e-10;  // on the faces
     if (i % 7 == 0) place.z = i % 14 == 0 ? 1 : 1e-10;
+    const Vec3 corner(a, b, c), p = corner + place;
     for (const CrackleMetric metric : {CrackleMetric::squares, CrackleMetric::sums}) {
       std::vector<double> all;
       for (const CellOffset& o : kCrackleOffsets) {
-        const Vec3 d = Vec3(o.x, o.y, o.z) + cell_point(t, a + o.x, b + o.y, c + o.z) - place;
+        const Vec3 d = corner + (Vec3(o.x, o.y, o.z) + cell_point(t, a + o.x, b + o.y, c + o.z)) - p;
         all.push_back(metric == CrackleMetric::squares ? d.x * d.x + d.y * d.y + d.z * d.z
                                                        : std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
       }
@@ -36,7 +37,7 @@ TEST(Crackle, RemembersEveryPointThatCanBeAmongTheNearestThree) {
       for (int set = 0; set <= simd::best_instruction_set(); ++set) {
         const CrackleKernels& kernels = *crackle_kernels(set);
         const NearestThree nearest =
-            metric == CrackleMetric::squares ? kernels.squares(cell, place) : kernels.sums(cell, place);
+            metric == CrackleMetric::squares ? kernels.squares(cell, p) : kernels.sums(cell, p);
         for (int k = 0; k < 3; ++k) ASSERT_EQ(nearest.s[k], all[k]) << "instruction set " << set;
       }
     }
@@ -59,7 +60,7 @@ TEST(Crackle, OfAnyMetricIsWhatAPlainSearchFinds) {
         const Vec3 random_point = Vec3(o.x, o.y, o.z) + cell_point(t, floor_to_int(p.x) + o.x, floor_to_int(p.y) + o.y,
                                                                    floor_to_int(p.z) + o.z);
         double sum = 0;
-        for (int k = 0; k < 3; ++k) sum += std::pow(std::fabs(random_point[k] - (p[k] - cell[k])), metric);
+        for (int k = 0; k < 3; ++k) sum += std::pow(std::fabs(cell[k] + random_point[k] - p[k]), metric);
         all.push_back(sum);
       }
       std::partial_sort(all.begin(), all.begin() + 3, all.end());

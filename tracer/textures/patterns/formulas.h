@@ -57,12 +57,8 @@ VERISIM_PATTERNS(VERISIM_PATTERN)
 }  // namespace formulas
 
 // quilted.cpp
-// The displacement of a quilted normal and |q| (spec 05 section 8).
-struct Quilt {
-  Vec3 u;
-  double q;
-};
-Quilt quilt(const QuiltedData& data, const Vec3& p);
+// The displacement of a quilted normal, which its pattern is the mean of (spec 05 section 8).
+Vec3 quilt(const QuiltedData& data, const Vec3& p);
 
 // crackle.cpp
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p);

@@ -10,9 +10,9 @@
 namespace verisim::textures {
 namespace {
 
-Vec3 dents_bump(const Vec3& p, int noise_generator) {
+Vec3 dents_bump(double amount, const Vec3& p, int noise_generator) {
   const double n = noise(p, noise_generator);
-  return n * n * n * vector_noise(p);
+  return n * n * n * amount * vector_noise(p);
 }
 
 Vec3 facets(const scene::FacetsParams& f, const Vec3& p, const Vec3& n_in) {
@@ -53,7 +53,7 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
     case scene::PatternKind::bumps:
       return n + c.amount * vector_noise(p);
     case scene::PatternKind::dents:
-      return n + c.amount * dents_bump(p, pattern.noise_generator);
+      return n + dents_bump(c.amount, p, pattern.noise_generator);
     case scene::PatternKind::wrinkles:
       return n + c.amount * wrinkles_vector_sum(p);
     case scene::PatternKind::ripples:
@@ -148,7 +148,7 @@ double height_of(const CompiledNormal& c, double v) {
 
 Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {
   apply(normal, p, surface);
-  return normal.no_bump_scale ? normalize(surface.normal) : surface.normal;
+  return normal.no_bump_scale ? surface.normal / length(surface.normal) : surface.normal;
 }
 
 }  // namespace verisim::textures

@@ -47,6 +47,7 @@ void displace(const CompiledNormal& c, int count, const PointBatch& p, PointBatc
   using enum scene::PatternKind;
   if (c.pattern->kind == ripples || c.pattern->kind == waves) return add_waves(c, count, p, n);
   PointBatch vectors;
+  double amount = c.amount;
   if (c.pattern->kind == wrinkles) {
     patterns_of().wrinkles_batch(count, p, vectors);
   } else {
@@ -54,10 +55,10 @@ void displace(const CompiledNormal& c, int count, const PointBatch& p, PointBatc
     if (c.pattern->kind == dents) {
       alignas(64) double noise[PointBatch::kMax];
       patterns_of().noise_batch(c.pattern->noise_generator, count, p, noise);
-      normals_of().scale_by_cubes(count, noise, vectors);
+      normals_of().scale_by_cubes(std::exchange(amount, 1), count, noise, vectors);
     }
   }
-  normals_of().displace(c.amount, count, vectors, n);
+  normals_of().displace(amount, count, vectors, n);
 }
 
 void raise(const CompiledNormal& c, int count, const PointBatch& p, const SurfacePoint* const* surfaces,
@@ -94,7 +95,7 @@ void perturb(const CompiledNormal& c, int count, const PointBatch& points, Surfa
   normals_of().out_of_frame(*c.pattern, c.no_bump_scale, count, n);
   for (int i = 0; i < count; ++i) {
     surfaces[i]->normal = n.at(i);
-    normals[i] = c.no_bump_scale ? normalize(n.at(i)) : n.at(i);
+    normals[i] = c.no_bump_scale ? n.at(i) / length(n.at(i)) : n.at(i);
   }
 }
 

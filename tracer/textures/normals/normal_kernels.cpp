@@ -63,10 +63,10 @@ void displace(double amount, int count, const PointBatch& v, PointBatch& n) {
   }
 }
 
-void scale_by_cubes(int count, const double* f, PointBatch& v) {
+void scale_by_cubes(double amount, int count, const double* f, PointBatch& v) {
   const int end = rounded(count);
   for (int i = 0; i < end; ++i) {
-    const double cube = f[i] * f[i] * f[i];
+    const double cube = f[i] * f[i] * f[i] * amount;
     v.x[i] *= cube;
     v.y[i] *= cube;
     v.z[i] *= cube;

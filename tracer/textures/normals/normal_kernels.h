@@ -16,7 +16,7 @@ struct NormalKernels {
   // Adds amount * vectors.
   void (*displace)(double amount, int count, const PointBatch& vectors, PointBatch& normals);
   // Multiplies vectors by cubes.
-  void (*scale_by_cubes)(int count, const double* factors, PointBatch& vectors);
+  void (*scale_by_cubes)(double amount, int count, const double* factors, PointBatch& vectors);
   // Adds height * strength * direction.
   void (*raise)(const double* heights, double strength, const Vec3& direction, int count, PointBatch& normals);
   // How far the points are from a source of waves, as wave_distance() says, and the angles of its waves there.

@@ -49,15 +49,16 @@ double hetero_mf(Vec3 p, const double* a) {
   const double H = a[0], lacunarity = a[1], octaves = a[2], offset = a[3];
   const int whole = octaves > 1 ? static_cast<int>(std::min(std::ceil(octaves), static_cast<double>(kMaxOctaves))) : 1;
   const double fraction = octaves - std::trunc(octaves);
-  double s = 0;
+  const double falloff = std::pow(lacunarity, -H);
+  double s = 0, weight = 1;
   each_octave(p, lacunarity, whole + (fraction != 0 && whole < kMaxOctaves), generator(a[5]), [&](int i, double noise) {
     const double n = 2 * noise - 1 + offset;
-    if (i == 0)
+    if (i == 0) {
       s = n;
-    else if (i < whole)
-      s += n * std::pow(lacunarity, -i * H) * repeated_product(s, a[4]);
-    else
-      s += fraction * s * n * std::pow(lacunarity, -i * H);
+      return;
+    }
+    weight *= falloff;
+    s += i < whole ? n * weight * repeated_product(s, a[4]) : n * weight * fraction * s;
   });
   return s;
 }
@@ -66,9 +67,9 @@ double ridge(Vec3 p, const double* a) {
   const double lambda = a[0], omega = a[2], offset = a[3], level = a[4];
   const double octaves = std::min(to_int(a[1]), static_cast<double>(kMaxOctaves));
   const int g = generator(a[5]);
-  const double scale = std::max(level, 1 - level);
+  const double scale = 1 / std::max(level, 1 - level);
   const auto term = [&](double frequency) {
-    return std::fabs(textures::noise(p * frequency, g) - level) / scale - offset;
+    return std::fabs(textures::noise(p * frequency, g) - level) * scale - offset;
   };
   double sum = term(1), weights = 1, weight = 1, frequency = 1;
   for (int i = 2; i <= octaves; ++i) {
@@ -80,7 +81,7 @@ double ridge(Vec3 p, const double* a) {
     weight *= omega, frequency *= lambda;
     sum += fraction * weight * term(frequency), weights += fraction * weight;
   }
-  return sum / (std::max(offset, 1 - offset) * weights);
+  return sum * (1 / std::max(offset, 1 - offset)) / weights;
 }
 
 class Noise final : public Function {

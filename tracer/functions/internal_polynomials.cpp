@@ -1,5 +1,5 @@
 // Algebraic surfaces among the internal functions. X, Y, Z are the squares of the coordinates, as in the
-// specification's table.
+// specification's table. Products and sums stand in the order that gives POV-Ray's last bits (spec 01 section 24).
 #include "tracer/functions/internal.h"
 
 namespace verisim::functions {
@@ -68,7 +68,7 @@ FORMULA(boy_surface) {
 }
 FORMULA(crossed_trough) {
   WITH_SQUARES;
-  return limit(P[0] * (X * Z - y));
+  return limit(P[0] * (X * z * z - y));
 }
 FORMULA(cubic_saddle) {
   WITH_SQUARES;
@@ -99,7 +99,7 @@ FORMULA(enneper) {
   WITH_SQUARES;
   const double m = std::fabs(z) < 0.2 ? 0.2 : z;
   const double a = (Y - X) / (2 * m) + 2 * Z / 9, b = (Y - X) / (4 * m);
-  return limit(-P[0] * (cube(a) - 6 * sq(b)));
+  return limit(-P[0] * (cube(a) - 6 * b * b));
 }
 FORMULA(folium_surface) {
   WITH_SQUARES;
@@ -112,7 +112,7 @@ double folium_surface_2d(const Call3& at) {
 }
 FORMULA(glob) {
   WITH_SQUARES;
-  return limit(P[0] * (0.5 * X * X * x + 0.5 * X * X - Y - Z));
+  return limit(P[0] * (0.5 * X * X * x + 0.5 * X * X - (Y + Z)));
 }
 FORMULA(heart) {
   WITH_SQUARES;
@@ -131,13 +131,13 @@ FORMULA(hyperbolic_torus) {
 FORMULA(kampyle_of_eudoxus) {
   WITH_SQUARES;
   const double b = sq(P[2]);
-  return limit(-P[0] * (Y + Z - b * X * X + b * sq(P[1]) * X));
+  return limit(-P[0] * (Y + Z - b * X * X + b * P[1] * P[1] * X));
 }
 double kampyle_of_eudoxus_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
   const double b = sq(P[2]);
-  return limit(-P[0] * (Y - b * X * X + b * P[2] * P[1] * X));
+  return limit(-P[0] * (Y - b * X * X + b * P[1] * P[2] * X));
 }
 FORMULA(klein_bottle) {
   WITH_SQUARES;
@@ -160,7 +160,7 @@ double lemniscate_of_gerono_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
   const double b = sq(P[2]);
-  return limit(-P[0] * (Y - sq(P[1]) * b * X + b * X * X));
+  return limit(-P[0] * (Y - b * P[1] * P[1] * X + b * X * X));
 }
 FORMULA(mitre) {
   WITH_SQUARES;
@@ -172,8 +172,7 @@ FORMULA(nodal_cubic) {
 }
 FORMULA(ovals_of_cassini) {
   WITH_SQUARES;
-  const double a = sq(P[1]);
-  return limit(-P[0] * (sq(Q + a) - P[3] * a * (X + Z) - sq(P[2])));
+  return limit(-P[0] * (sq(Q + sq(P[1])) - P[3] * P[1] * P[1] * (X + Z) - sq(P[2])));
 }
 FORMULA(paraboloid) {
   WITH_SQUARES;
@@ -187,7 +186,7 @@ FORMULA(parabolic_torus) {
 }
 FORMULA(pillow) {
   WITH_SQUARES;
-  return limit(P[0] * (X * X + Y * Y + Z * Z - X - Y - Z));
+  return limit(P[0] * (X * X + Y * Y + Z * Z - (X + Y + Z)));
 }
 FORMULA(piriform) {
   WITH_SQUARES;
@@ -196,8 +195,7 @@ FORMULA(piriform) {
 double piriform_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[4], at.p[5], at.p[6]);
   WITH_SQUARES;
-  const double b = sq(P[3]);
-  return limit(-P[0] * (Y - P[1] * b * X * x - P[2] * b * X * X));
+  return limit(-P[0] * (Y - P[1] * P[3] * P[3] * X * x - P[2] * P[3] * P[3] * X * X));
 }
 FORMULA(quartic_paraboloid) {
   WITH_SQUARES;
@@ -210,7 +208,7 @@ FORMULA(quartic_saddle) {
 FORMULA(quartic_cylinder) {
   WITH_SQUARES;
   const double h = X + Z, b = sq(P[2]);
-  return limit(-P[0] * (h * Y + b * h - b * sq(P[1])));
+  return limit(-P[0] * (h * y * y + b * h - b * P[1] * P[1]));
 }
 FORMULA(steiners_roman) {
   WITH_SQUARES;
@@ -230,7 +228,8 @@ double strophoid_2d(const Call3& at) {
 FORMULA(torus2) {
   WITH_SQUARES;
   const double a = sq(P[1]), b = sq(P[2]);
-  return limit(-P[0] * (Q * Q - 2 * (a + b) * (X + Z) + 2 * (a - b) * Y + sq(a - b)));
+  return limit(-P[0] * (X * X + Y * Y + Z * Z + 2 * X * Y + 2 * X * Z + 2 * Y * Z - 2 * (a + b) * X + 2 * (a - b) * Y -
+                        2 * (a + b) * Z + sq(a - b)));
 }
 FORMULA(torus_gumdrop) {
   WITH_SQUARES;
@@ -239,7 +238,7 @@ FORMULA(torus_gumdrop) {
 }
 FORMULA(umbrella) {
   WITH_SQUARES;
-  return limit(-P[0] * (X - y * Z));
+  return limit(-P[0] * (X - y * z * z));
 }
 FORMULA(witch_of_agnesi) {
   WITH_SQUARES;

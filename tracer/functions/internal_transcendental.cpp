@@ -10,28 +10,31 @@ double positive_mod(double a, double b) {
   const double r = std::fmod(a, b);
   return r < 0 ? r + b : r;
 }
-// "S": cross section between square (0), circle (1) and anything else.
-double section(double a, double b, double p) {
+// "S": cross section between square (0), circle (1) and anything else. `root`: p / 2, in one of its roundings.
+double section(double a, double b, double p, double root) {
   if (p == 1) return hyp(a, b);
   a = std::fabs(a), b = std::fabs(b);
   if (p == 0) return std::max(a, b);
-  return std::pow(std::pow(a, 2 / p) + std::pow(b, 2 / p), p / 2);
+  return std::pow(std::pow(a, 2 / p) + std::pow(b, 2 / p), root);
 }
+double section(double a, double b, double p) { return section(a, b, p, p / 2); }
 
 double blob(const Call3& c) {
-  const double h = c.p[0] / 2, s = c.y * c.y + c.z * c.z;
-  const double a = std::min(1.0, (sq(c.x + h) + s) * sq(c.p[2])), b = std::min(1.0, (sq(c.x - h) + s) * sq(c.p[4]));
-  return -c.p[1] * sq(1 - a) - c.p[3] * sq(1 - b);
+  const auto falloff = [&](double x, double scale) {
+    return 1 - std::min(1.0, (x * x + c.y * c.y + c.z * c.z) * scale * scale);
+  };
+  const double h = c.p[0] / 2, a = falloff(c.x + h, c.p[2]), b = falloff(c.x - h, c.p[4]);
+  return -c.p[1] * a * a - c.p[3] * b * b;
 }
 double blob2(const Call3& c) {
-  const double s = c.y * c.y + c.z * c.z;
-  return c.p[3] - c.p[2] * (std::exp(-c.p[1] * (c.x * c.x + s)) + std::exp(-c.p[1] * (sq(c.x - c.p[0]) + s)));
+  const auto bell = [&](double x) { return std::exp(-c.p[1] * (x * x + c.y * c.y + c.z * c.z)); };
+  return c.p[3] - c.p[2] * (bell(c.x) + bell(c.x - c.p[0]));
 }
 double comma(const Call3& c) {
   const double s = c.p[0], x = c.x == 0 && c.z == 0 ? 1e-4 : c.x;
   const double theta = std::atan2(c.z, x), r = hyp(x + s / 4, c.z);
   const double t = std::min(c.z, s / 2 * std::cos(theta / 2) - hyp(r - 0.75 * s, c.y));
-  const double u = s / 2 - std::sqrt(sq(x - s / 2) + c.y * c.y + c.z * c.z);
+  const double u = s / 2 - std::sqrt(sq(x - s / 2) + c.z * c.z + c.y * c.y);
   return -std::max(t, u);
 }
 struct Ellipsoids {
@@ -58,7 +61,10 @@ double spikes(const Call3& c) {
   const Ellipsoids e(c);
   return -c.p[2] * (c.p[4] * std::exp(-c.p[3] * (c.x * c.x + c.y * c.y + c.z * c.z)) - e.e1 - e.e2 - e.e3);
 }
-double ellipsoid(const Call3& c) { return std::sqrt(sq(c.p[0] * c.x) + sq(c.p[1] * c.y) + sq(c.p[2] * c.z)); }
+double ellipsoid(const Call3& c) {
+  const double* p = c.p;
+  return std::sqrt(c.x * c.x * p[0] * p[0] + c.y * c.y * p[1] * p[1] + c.z * c.z * p[2] * p[2]);
+}
 double helical_torus(const Call3& c) {
   const double* p = c.p;
   const double rho = hyp(c.x, c.z), x = c.x == 0 && c.z == 0 ? 1e-6 : c.x;
@@ -71,7 +77,7 @@ double helical_torus(const Call3& c) {
 double helix1(const Call3& c) {
   const double* p = c.p;
   const double r = hyp(c.x, c.z), x = c.x == 0 && c.z == 0 ? 1e-6 : c.x;
-  const double theta = positive_mod(p[0] * std::atan2(c.z, x) + p[0] * p[1] * c.y, 2 * kPi);
+  const double theta = positive_mod(p[0] * std::atan2(c.z, x) + c.y * p[1] * p[0], 2 * kPi);
   double b = (theta - kPi) / p[4] / (p[1] * p[0]), a = r - p[3];
   if (p[5] != 1 && p[6] != 0) {
     const double angle = p[6] * (kPi / 180), k = std::cos(angle), s = std::sin(angle), turned = a * k - b * s;
@@ -103,7 +109,7 @@ double hex_y(const Call3& c) {
 double mesh1(const Call3& c) {
   const double *p = c.p, a = p[0], b = p[1];
   const auto wave = [&](double u, double period) { return p[2] * std::fabs(positive_mod(u, 2 * period) - period); };
-  const double w = p[3] * std::cos(kPi * c.z / b), v = p[3] * std::cos(kPi * c.x / a);
+  const double w = p[3] * std::cos(kPi / b * c.z), v = p[3] * std::cos(kPi / a * c.x);
   const double d1 = hyp(p[4] * (c.y - w), wave(c.x, a)), d2 = hyp(p[4] * (c.y + w), wave(c.x - a, a));
   const double d3 = hyp(p[4] * (c.y + v), wave(c.z, b)), d4 = hyp(p[4] * (c.y - v), wave(c.z - b, b));
   return std::min(std::min(d1, d2), std::min(d3, d4));
@@ -130,7 +136,7 @@ double quantum(const Call3& c) {
   const double x = c.x == 0 && c.z == 0 ? 1e-6 : c.x;
   const double k = std::cos(std::atan2(hyp(x, c.z), c.y)), r = 2 * std::sqrt(x * x + c.y * c.y + c.z * c.z);
   const double q = r * r * std::exp(-0.33333333 * r) * (3 * k * k - 1);
-  return (12 - q * q) / 10;
+  return (12 - q * q) * 0.1;
 }
 double distance(const Call3& c) { return radius(c); }
 double sphere(const Call3& c) { return radius(c) - c.p[0]; }
@@ -145,13 +151,13 @@ double spiral(const Call3& c) {
   const double* p = c.p;
   const double x = c.x == 0 && c.z == 0 ? 1e-6 : c.x;
   const double r = hyp(x, c.z) + p[0] * std::atan2(c.z, x) / (2 * kPi);
-  const double q = section(std::fmod(r, p[0]) - p[0] / 2, c.y, p[5]);
+  const double q = section(std::fmod(r, p[0]) - p[0] / 2, c.y, p[5], 1 / (2 / p[5]));
   const double R = std::sqrt(x * x + c.y * c.y + c.z * c.z);
   return -std::min(p[2] - R, p[1] - std::min(q, R));
 }
 double superellipsoid(const Call3& c) {
   const double e = c.p[0], n = c.p[1];
-  const double plane = std::pow(std::pow(std::fabs(c.x), 2 / e) + std::pow(std::fabs(c.y), 2 / e), e / n);
+  const double plane = std::pow(std::pow(std::fabs(c.x), 2 / e) + std::pow(std::fabs(c.y), 2 / e), e * (1 / n));
   return 1 - std::pow(plane + std::pow(std::fabs(c.z), 2 / n), n / 2);
 }
 double torus(const Call3& c) { return hyp(hyp(c.x, c.z) - c.p[0], c.y) - c.p[1]; }

@@ -20,7 +20,7 @@ import tempfile
 # What function { pattern { ... } } accepts, with parameters where they stand in a formula.
 PATTERNS = """agate | agate agate_turb 0.3 | boxed | bozo | brick | bumps | cells | checker | crackle | crackle form <1, 0.5, 0.2>
 | crackle metric 3 | crackle metric 1.5 | crackle metric 1 | crackle solid | crackle offset 0.4 | cubic | cylindrical | dents
-| gradient x | gradient <1, 2, -1> | granite | hexagon | julia <0.3, 0.5>, 20 | julia <0.3, 0.5>, 20 exterior 2, 1
+| gradient x | gradient <0.3, 0.21, 0.37> | granite | hexagon | julia <0.3, 0.5>, 20 | julia <0.3, 0.5>, 20 exterior 2, 1
 | julia <0.3, 0.5>, 20 exponent 3 exterior 3, 1 | leopard | magnet 1 julia <0.3, 0.4>, 20 | magnet 1 mandel 20 exterior 2, 1
 | magnet 2 julia <0.3, 0.4>, 20 | magnet 2 mandel 20 | mandel 25 | mandel 25 exponent 3 exterior 2, 1 | mandel 25 exterior 2, 1
 | mandel 25 exterior 3, 1 | mandel 25 exterior 4, 1 | mandel 25 exterior 5, 1 | mandel 25 exterior 6, 1 | mandel 25 interior 1, 1

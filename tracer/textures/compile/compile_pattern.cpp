@@ -24,7 +24,7 @@ struct CompileParams {
   }
   PatternData operator()(const scene::GradientParams& p) const {
     const double n = length(p.direction);
-    return GradientData{n > 0 ? p.direction / n : Vec3(0, 0, 0)};
+    return GradientData{n > 0 ? p.direction * (1 / n) : Vec3(0, 0, 0)};
   }
   PatternData operator()(const scene::QuiltedParams& p) const { return QuiltedData{p.control0, p.control1}; }
   PatternData operator()(const scene::SlopeParams& p) const {

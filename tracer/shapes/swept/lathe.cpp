@@ -24,11 +24,6 @@ constexpr double kNearest = 1e-4, kFarthest = 1e7;
 constexpr double kSteep = 0.01;  // |dy|; what is more level knows its roots less well
 enum Axis { radius, height };
 
-// Summed in another order than a prism's.
-CurveSegment bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3) {
-  return {{p0, 3.0 * p1 - 3.0 * p0, 3.0 * p2 - 6.0 * p1 + 3.0 * p0, p3 - 3.0 * p2 + 3.0 * p1 - p0}, 3};
-}
-
 std::vector<CurveSegment> segments_of(const scene::Lathe& lathe) {
   std::vector<CurveSegment> segments;
   const std::vector<Vec2>& p = lathe.points;
@@ -41,7 +36,7 @@ std::vector<CurveSegment> segments_of(const scene::Lathe& lathe) {
       for (std::size_t i = 0; i + 2 < n; ++i) segments.push_back(CurveSegment::quadratic(p[i], p[i + 1], p[i + 2]));
       break;
     case scene::SplineKind::bezier:
-      for (std::size_t i = 0; i + 3 < n; i += 4) segments.push_back(bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
+      for (std::size_t i = 0; i + 3 < n; i += 4) segments.push_back(CurveSegment::bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
       break;
     default:
       for (std::size_t i = 0; i + 3 < n; ++i)

@@ -18,8 +18,7 @@ CurveSegment CurveSegment::cubic(const Vec2& p0, const Vec2& p1, const Vec2& p2,
 }
 
 CurveSegment CurveSegment::bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3) {
-  // Summed in this order: what the inside of a prism is level with its vertices hangs on the last bit (spec 08 F).
-  return {{p0, 3.0 * (p1 - p0), 3.0 * (p0 - 2.0 * p1 + p2), p3 - p0 + 3.0 * (p1 - p2)}, 3};
+  return {{p0, 3.0 * p1 - 3.0 * p0, 3.0 * p2 - 6.0 * p1 + 3.0 * p0, p3 - 3.0 * p2 + 3.0 * p1 - p0}, 3};
 }
 
 int CurveSegment::count_beyond(int axis, double v, double least, bool sturm) const {

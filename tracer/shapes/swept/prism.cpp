@@ -75,6 +75,22 @@ std::vector<CurveSegment> segments_of(const scene::Prism& prism) {
   }
 }
 
+// What POV-Ray takes a segment's extent for: of a Bezier segment, its control points'.
+std::vector<Rectangle> ranges_of(const scene::Prism& prism, const std::vector<CurveSegment>& segments) {
+  std::vector<Rectangle> ranges;
+  for (const CurveSegment& s : segments) {
+    Rectangle range;
+    if (prism.spline == scene::SplineKind::bezier) {
+      for (std::size_t k = 4 * ranges.size(), end = k + 4; k < end; ++k) range.extendBy(prism.points[k]);
+    } else {
+      s.extremes(along_x, range.min.x, range.max.x);
+      s.extremes(along_z, range.min.y, range.max.y);
+    }
+    ranges.push_back(range);
+  }
+  return ranges;
+}
+
 class Prism final : public Primitive<Prism>, public StraightPrism {
  public:
   Prism(const scene::Object& description, const scene::Prism& prism)
@@ -90,12 +106,12 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     const std::vector<CurveSegment> curves = segments_of(prism);
     const std::size_t parts = std::clamp<std::size_t>(curves.empty() ? 1 : kPieces / curves.size(), 1, kMaxParts);
     std::vector<Rectangle> bounds;
-    for (const CurveSegment& s : curves) {
-      Segment segment{s, 0, 0, 0, 0, pieces_.size(), 0};
-      s.extremes(along_x, segment.x_low, segment.x_high);
-      s.extremes(along_z, segment.z_low, segment.z_high);
-      outline_.extendBy(Vec2(segment.x_low, segment.z_low));
-      outline_.extendBy(Vec2(segment.x_high, segment.z_high));
+    const std::vector<Rectangle> ranges = ranges_of(prism, curves);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const CurveSegment& s = curves[i];
+      const Rectangle& range = ranges[i];
+      Segment segment{s, range.min.x, range.max.x, range.min.y, range.max.y, pieces_.size(), 0};
+      outline_.extendBy(range);
       const std::size_t count = s.degree == 1 ? 1 : parts;
       for (std::size_t k = 0; k < count; ++k) {
         const auto w = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(count); };
@@ -307,14 +323,11 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
 Box3 prism_box(const scene::Prism& prism) {
   const double low = std::min(prism.low, prism.high), high = std::max(prism.low, prism.high);
   Box3 box;
-  for (const CurveSegment& s : segments_of(prism)) {
-    double x0, x1, z0, z1;
-    s.extremes(along_x, x0, x1);
-    s.extremes(along_z, z0, z1);
+  for (const Rectangle& range : ranges_of(prism, segments_of(prism))) {
     for (const double h : {low, high}) {
       const double size = prism.conic ? h : 1;
-      box.extendBy({size * x0, h, size * z0});
-      box.extendBy({size * x1, h, size * z1});
+      box.extendBy({size * range.min.x, h, size * range.min.y});
+      box.extendBy({size * range.max.x, h, size * range.max.y});
     }
   }
   return box;

@@ -83,7 +83,7 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
     l.opacity = shading::surface_opacity(l.pigment, data.version);
     if (finish.reflection.maximum != Rgb() || finish.reflection.minimum != Rgb()) {
       const double eta = finish.reflection.fresnel ? tracer_.fresnel_ratio(ray, *at.surface.interior) : 1.0;
-      l.reflectivity = shading::reflectivity(finish.reflection, l.pigment.rgb(), -dot(d, l.normal), eta);
+      l.reflectivity = shading::mirror_of(finish.reflection, l.pigment.rgb(), -dot(d, l.normal), eta).reflectivity;
     }
     // The ambient term stands for interreflection and would count it twice; scenes before 3.7 use it for light sources
     // as well (spec 07 2.4).

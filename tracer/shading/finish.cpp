@@ -49,7 +49,7 @@ double fresnel_reflectance(double eta, double cosine) {
   return std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
 }
 
-Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta) {
+Mirror mirror_of(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta) {
   Rgb rho;
   if (reflection.fresnel) {
     const double f = fresnel_reflectance(eta, cosine);
@@ -67,13 +67,15 @@ Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double
       rho = scaled(reflection.maximum, x) + scaled(reflection.minimum, 1 - x);
     }
   }
+  const float strength =
+      reflection.fresnel ? rho.max() : std::max(reflection.minimum.max(), reflection.maximum.max());
   if (reflection.metallic != 0) {
     // Unlike the tint of highlights, that of mirrors is not rounded by itself.
     const double m = reflection.metallic * (1 - metallic_fresnel(cosine));
     const auto tinted = [m](float share, double color) { return static_cast<float>(share * (1 + m * (color - 1))); };
     rho = {tinted(rho.r, pigment.r), tinted(rho.g, pigment.g), tinted(rho.b, pigment.b)};
   }
-  return rho;
+  return {rho, strength};
 }
 
 }  // namespace verisim::shading

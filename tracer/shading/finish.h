@@ -37,8 +37,13 @@ inline double turbulent_thickness(const scene::Finish& f, double t) {
 // Unpolarised dielectric reflectance for relative index eta and cosine of the viewing angle; 1 on total reflection
 // (spec 06 5.1).
 double fresnel_reflectance(double eta, double cosine);
-// Mirror reflectivity; cosine = -D.N, may be negative; eta is only used by `fresnel`.
-Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta);
+// What a layer mirrors, and by what the weight of reflected rays goes down (spec 06 2.2).
+struct Mirror {
+  Rgb reflectivity;
+  float strength = 0;
+};
+// cosine = -D.N, may be negative; eta is only used by `fresnel`.
+Mirror mirror_of(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta);
 
 // Light that is darker in all channels is none.
 inline constexpr float kDark = static_cast<float>(kEpsilon);

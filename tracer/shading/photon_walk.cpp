@@ -129,9 +129,9 @@ void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::C
     Layer here{normal, {}, mirror.exponent, 0};
     if (mirror.maximum != Rgb() || mirror.minimum != Rgb()) {
       const double eta = mirror.fresnel ? tracer_.fresnel_ratio(packet.ray, *at.surface.interior) : 1.0;
-      here.reflectivity = reflectivity(mirror, c.rgb(), -dot(d, normal), eta);
-      // Reflectivity counts twice in the weight.
-      here.weight = translucency * here.reflectivity.max_abs() * Tracer::mirror_strength(mirror, here.reflectivity);
+      const Mirror seen = mirror_of(mirror, c.rgb(), -dot(d, normal), eta);
+      here.reflectivity = seen.reflectivity;
+      here.weight = translucency * seen.reflectivity.max_abs() * seen.strength;  // reflectivity counts twice
     }
     layers.push_back(here);
     if (colored) {

@@ -164,13 +164,14 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     Color c;
     const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
 
-    Rgb rho;
+    Mirror mirror;
+    const Rgb& rho = mirror.reflectivity;
     if (finish.reflection.maximum != Rgb() || finish.reflection.minimum != Rgb()) {
       if (finish.reflection.fresnel && eta == 0) eta = fresnel_ratio(ray, *at.surface.interior);
-      rho = reflectivity(finish.reflection, c.rgb(), -dot(d, normal), eta);
+      mirror = mirror_of(finish.reflection, c.rgb(), -dot(d, normal), eta);
       any_reflection = any_reflection || rho != Rgb();
     }
-    layers_.push_back({&layer, c, normal, rho, translucency});
+    layers_.push_back({&layer, c, normal, mirror, translucency});
 
     const LayerContext context{layer, c, normal, surface_opacity(c, scene_.version), filter};
     if (observer_) observer_->layer(at, context, rho);
@@ -216,7 +217,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     const Vec3 top_normal = layers_[layers.begin()].normal;
     for (std::size_t i = layers.begin(); i < end; ++i) {
       const ShadedLayer layer = layers_[i];
-      if (layer.reflectivity == Rgb()) continue;
+      if (layer.mirror.reflectivity == Rgb()) continue;
       if (total_reflection && hidden_by_total_reflection(top_normal, layer.normal)) continue;
       const RandomBranch branch(random_, RandomBranch::mirror(index, static_cast<int>(i - layers.begin())));
       const Rgb seen = mirrored(ray, at, layer);

@@ -9,6 +9,7 @@
 
 #include "tracer/world/coherent_rays.h"
 #include "tracer/film/statistics.h"
+#include "tracer/shading/finish.h"
 #include "tracer/shading/explain.h"
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"
@@ -176,7 +177,7 @@ class Tracer {
     const textures::CompiledLayer* layer;
     Color pigment;
     Vec3 normal;
-    Rgb reflectivity;
+    Mirror mirror;
     float translucency;  // t_i: what remains above this layer
   };
   struct CachedLight {
@@ -248,7 +249,6 @@ class Tracer {
   Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
   // Of a total reflection this layer's mirror would show the same once more.
   static bool hidden_by_total_reflection(const Vec3& top_normal, const Vec3& normal);
-  static float mirror_strength(const scene::Reflection& mirror, const Rgb& reflectivity);
   Rgb mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer);
   static Rgb mirror_image(const ShadedLayer& layer, Rgb seen);
   Rgb fade_factor(const InteriorRange& list, const scene::Interior& interior, double distance) const;

@@ -135,16 +135,9 @@ bool Tracer::hidden_by_total_reflection(const Vec3& top_normal, const Vec3& norm
          std::fabs(difference.z) <= kEpsilon;
 }
 
-// By which the weight of reflected rays goes down.
-float Tracer::mirror_strength(const scene::Reflection& mirror, const Rgb& reflectivity) {
-  return mirror.fresnel ? reflectivity.max() : std::max(mirror.minimum.max(), mirror.maximum.max());
-}
-
 // What a layer's mirror adds.
 Rgb Tracer::mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer) {
-  return mirror_image(layer, reflect(ray, at, layer,
-                                     ray.weight * layer.translucency *
-                                         mirror_strength(layer.layer->finish.reflection, layer.reflectivity)));
+  return mirror_image(layer, reflect(ray, at, layer, ray.weight * layer.translucency * layer.mirror.strength));
 }
 
 Rgb Tracer::mirror_image(const ShadedLayer& layer, Rgb seen) {
@@ -153,7 +146,7 @@ Rgb Tracer::mirror_image(const ShadedLayer& layer, Rgb seen) {
     const float e = 1 / r.exponent;
     seen = {std::pow(seen.r, e), std::pow(seen.g, e), std::pow(seen.b, e)};
   }
-  return layer.reflectivity * seen;
+  return layer.mirror.reflectivity * seen;
 }
 
 // Attenuation over the last segment only, and only at surfaces of the interior that is being left (spec 06 6.4).

@@ -86,8 +86,7 @@ void Wavefront::trace_branches() {
     if (branch.behind || !met_[branch.ray].together || hidden(leaves_[static_cast<std::size_t>(branch.leaf)], branch))
       continue;
     branch.group = 0;
-    branch.weight = weights_[branch.ray] * branch.layer.translucency *
-                    Tracer::mirror_strength(branch.layer.layer->finish.reflection, branch.layer.reflectivity);
+    branch.weight = weights_[branch.ray] * branch.layer.translucency * branch.layer.mirror.strength;
     branch.direction =
         reflected_direction(packet_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
   }

@@ -177,11 +177,11 @@ Rgb Wavefront::add_mirror(const Leaf& leaf, Part& part) {
   const textures::CompiledLayer& layer = *part.material->layer;
   const scene::Reflection& reflection = layer.finish.reflection;
   const double ratio = reflection.fresnel ? tracer_.fresnel_ratio(state_, *met_[leaf.ray].at->surface.interior) : 0;
-  const Rgb reflected =
-      reflectivity(reflection, part.color.rgb(), -dot(packet_.rays.direction.at(leaf.ray), part.normal), ratio);
-  if (reflected == Rgb()) return reflected;
-  part.mirror = add_branch(leaf, {&layer, part.color, part.normal, reflected, leaf.translucency}, false);
-  return reflected;
+  const Mirror mirror =
+      mirror_of(reflection, part.color.rgb(), -dot(packet_.rays.direction.at(leaf.ray), part.normal), ratio);
+  if (mirror.reflectivity != Rgb())
+    part.mirror = add_branch(leaf, {&layer, part.color, part.normal, mirror, leaf.translucency}, false);
+  return mirror.reflectivity;
 }
 
 // The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what
@@ -246,7 +246,7 @@ void Wavefront::find_layers(int* leaves, int n) {
   for (int k = 0; k < n; ++k) {
     Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
     const Part& top = parts_[static_cast<std::size_t>(leaf.first)];
-    leaf.behind = add_branch(leaf, {top.material->layer, top.color, top.normal, Rgb(), 1}, true);
+    leaf.behind = add_branch(leaf, {top.material->layer, top.color, top.normal, {}, 1}, true);
     branches_.back().weight = leaf.filter.max_abs();
   }
 }

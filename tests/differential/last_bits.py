@@ -61,6 +61,28 @@ SLAB = (
     "} } "
 )
 
+# A mirror sends rays to a dome whose colours change within the last bits of where they meet it.
+DOME = (
+    "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0.3, 6, -4> look_at 0 angle 26 } sphere { 0, 100 hollow "
+    "pigment { gradient <1, 0.21, 0.37> color_map { [0 rgb 0] [1 rgb 1] } scale 1.1e-12 } finish { ambient 1 diffuse 0 } } "
+)
+NORMALS = (
+    "bumps 0.5", "dents 0.7", "wrinkles 0.6", "ripples 0.5", "waves 0.5", "quilted 0.7 control0 0.3", "facets coords 0.4",
+    "crackle 0.5", "granite 0.3", "bozo 0.4 no_bump_scale", "dents 0.5 no_bump_scale scale <0.2, 0.5, 0.3>",
+    "brick normal { bumps 0.4 } normal { dents 0.6 }", "average normal_map { [1 bumps 0.5] [2 dents 0.7] }",
+    "gradient x normal_map { [0 bumps 0.5] [0.6 ripples 0.7] [1 quilted 0.4] }", "wood 0.6 slope_map { [0 <0, 1>] [1 <1, 0>] }",
+    "marble 0.4 warp { spherical }",
+)
+
+
+def mirrors(normals):
+    tile = "box { <%g, -0.2, %g>, <%g, 0, %g> pigment { rgb 0 } normal { %s } finish { ambient 0 diffuse 0 reflection 1 } } "
+    return DOME + "".join(
+        tile % (-1.6 + i % 4 * 0.8, -1.2 + i // 4 * 0.6, -0.82 + i % 4 * 0.8, -0.62 + i // 4 * 0.6, normal)
+        for i, normal in enumerate(normals)
+    )
+
+
 SCENES = {
     "diffuse": plain(),
     "brilliance": plain("brilliance 1.7"),
@@ -178,6 +200,10 @@ SOLIDS = {
 }
 SCENES |= {"solid_" + name: solid(f"{name} {{ {text}") for name, text in SOLIDS.items()}
 SCENES |= {
+    "mirrored_normals": mirrors(NORMALS),
+    "mirrored_outline": DOME + "prism { bezier_spline -0.4, 0.5, 8 <-0.813, -0.727>, <0.017, -1.431>, <0.537, -0.913>, <0.937, 0.013>, "
+                        "<0.937, 0.013>, <0.713, 0.927>, <-0.931, 1.137>, <-0.813, -0.727> rotate 30*x pigment { rgb 0 } finish "
+                        "{ ambient 0 diffuse 0 reflection 1 } } ",
     "media_method_3": wall("media { emission 0.03 scattering { 2, 0.03 } samples 3 jitter 0.7 density { bozo } } "),
     "media_refined": wall("media { emission 0.03 scattering { 3, 0.03 } samples 3 aa_level 4 aa_threshold 0.01 density { bozo } } "),
     "media_densities": wall("media { emission 0.03 scattering { 2, 0.03 } density { bozo } density { granite } } "),

@@ -199,7 +199,8 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     e.test_box = !is_empty(box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
-    e.edged = !e.infinite && !w.in_order && (o.as<scene::Box>() || o.as<scene::Csg>());
+    e.ranked = !e.infinite && !w.in_order;
+    e.edged = e.ranked && (o.as<scene::Box>() || o.as<scene::Csg>());
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;

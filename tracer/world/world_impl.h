@@ -49,7 +49,8 @@ struct Entry {
   bool test_box = false;      // rays that miss the box miss the object
   bool copied = false;        // of a declared object, or part of such a copy
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
-  bool edged = false;         // is in POV-Ray's hierarchy, and its surface may run along edges of its box
+  bool ranked = false;        // is in POV-Ray's hierarchy
+  bool edged = false;         // and its surface may run along edges of its box
   SlabTest slab;              // for hits
   Box3 box() const { return widened(object->bounds); }  // POV-Ray's, right or wrong
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
@@ -57,13 +58,24 @@ struct Entry {
     return (!test_box || clip_to_box(ray, box(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
-  // A hit near an edge of the box, which is wider than POV-Ray's by less than the slack.
-  bool at_edge(const Hit& hit) const {
+  // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face.
+  bool in_doubt(const Ray& ray, const Hit& hit) const {
+    const Vec3& d = ray.direction;
+    const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+    return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
+           at_edge(ray, hit);
+  }
+  // The box is wider than POV-Ray's by less than the slack.
+  bool at_edge(const Ray& ray, const Hit& hit) const {
     const Vec3& p = hit.point;
     const Box3 box = this->box();
     const double slack = kCoincident * (hit.t + std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z)) + 1e-8;
-    const auto near_face = [&](int i) { return std::min(p[i] - box.min[i], box.max[i] - p[i]) < slack; };
-    return near_face(0) + near_face(1) + near_face(2) > 1;
+    const double reach = length(box.max - box.min) / length(ray.direction);
+    int faces = 0;
+    for (int i = 0; i < 3; ++i)
+      if (std::min(p[i] - box.min[i], box.max[i] - p[i]) < slack)
+        faces += std::fabs(ray.direction[i]) * reach < slack ? 2 : 1;
+    return faces > 1;
   }
 };
 
@@ -202,7 +214,7 @@ struct World::Impl {
   // POV-Ray finds this hit of an entry, too.
   bool admits(std::uint32_t index, const Ray& ray, const Hit& hit) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.edged || !e.at_edge(hit) || reaches(ray, index));
+    return e.slab.passes(ray) && (!e.in_doubt(ray, hit) || reaches(ray, index));
   }
   bool reaches(const Ray& ray, std::uint32_t index) const;  // whether POV-Ray's hierarchy asks it
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).

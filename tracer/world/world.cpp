@@ -60,6 +60,14 @@ bool cheaper_than_box_test(const scene::Object& o) {
          o.as<scene::SmoothTriangle>();
 }
 
+// Of its box. Round surfaces touch no edge, or in a point.
+bool may_run_along_edges(const scene::Object& o) {
+  return o.as<scene::Box>() || o.as<scene::Csg>() || o.as<scene::Mesh>() || o.as<scene::Polygon>() ||
+         o.as<scene::Triangle>() || o.as<scene::SmoothTriangle>() || o.as<std::shared_ptr<const scene::Prism>>() ||
+         o.as<std::shared_ptr<const scene::HeightField>>() || o.as<std::shared_ptr<const scene::Isosurface>>() ||
+         o.as<std::shared_ptr<const scene::Text>>();
+}
+
 // What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not,
 // its box decides what is seen.
 Box3 tight_box(const Box3& pov, const Box3& surface) {
@@ -200,7 +208,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
     e.ranked = !e.infinite && !w.in_order;
-    e.edged = e.ranked && (o.as<scene::Box>() || o.as<scene::Csg>());
+    e.edged = e.ranked && may_run_along_edges(o);
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;

@@ -270,14 +270,13 @@ class Tracer {
   // The first surface of the remembered object, whatever lies before it. True when nothing passes.
   bool filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance, RayState& ray,
                             Rgb& color);
-  // What is left of a shadow ray's way behind the last surface that it met.
-  struct LastStretch {
+  // A shadow ray as far as the light, or as what the light is projected through: that is `beyond` from the light.
+  struct ShadowSegment {
     Ray ray;
-    double length = 0;
+    double length = 0, beyond = 0;
   };
-  // `left`: takes the last stretch, whose atmosphere then does not act here.
-  void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color,
-                   LastStretch* left = nullptr);
+  // `rest`: takes what lies behind the last surface; its atmosphere then does not act here.
+  void cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& color, ShadowSegment* rest = nullptr);
   // Fog or media may take from this light on its way.
   bool light_on_way_changes(const Light& light) const;
   // Shadow rays that start there meet nothing but opaque objects; null: from anywhere.
@@ -285,12 +284,9 @@ class Tracer {
     return entry ? entry->only_opaque : !scene_.world.has_transparent_shadows();
   }
   // No transparent object is on the way, so that any one decides.
-  bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
-  // `first`: the nearest hit, if it is known that there is one; `left`: as above; `behind`: how far the light lies
-  // behind the end, for what acts on the last stretch.
-  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                    const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first = nullptr,
-                    LastStretch* left = nullptr, double behind = 0);
+  bool any_object_decides(const accel::WorldEntry* entry, const Ray& ray, double length) const;
+  void filter_along(const ShadowQuery& query, ShadowSegment segment, const accel::WorldEntry* entry, Rgb& color,
+                    ShadowSegment* rest);
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
@@ -299,8 +295,8 @@ class Tracer {
   template <class Opaque, class Mixed>
   void by_cells(const Light& light, const RayState& eye, const ShadowBatch& batch, Opaque&& opaque, Mixed&& mixed);
   void dim(const Light& light, const RayState& eye, const int* index, int count, ShadowBatch& batch);
-  void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
-                  ShadowBatch& batch);
+  void filter_batch(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
+                    int count, ShadowBatch& batch);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   // What of the light from `towards` passes a surface's textures.
   Rgb filter_at(const shapes::Hit& hit, const Vec3& towards);
@@ -314,7 +310,7 @@ class Tracer {
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
   Rgb area_sample(AreaGrid& grid, int column, int batch);
-  void area_last_stretch(const AreaGrid& grid, Rgb& color);
+  void area_volumes(const AreaGrid& grid, Rgb& color);
   // The light that all of them let arrive; nothing: they differ.
   std::optional<Rgb> ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
   std::optional<Rgb> ask_first_corners(const AreaGrid& grid);

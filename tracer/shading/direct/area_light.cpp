@@ -47,10 +47,10 @@ struct Tracer::AreaGrid {
   const Rgb& color;  // of the unshadowed light
   std::uint64_t key = 0;
   Shuffle *batches = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
-  bool together = false;                           // rays may go in rows
+  bool together = false;                           // rays may go in batches
   accel::WorldEntry* entry = nullptr;              // of these
-  bool attenuates = false, quartered = false;      // media or fog act on the last stretch
-  LastStretch left{};                              // of the sample that was asked last
+  bool attenuates = false, quartered = false;      // media or fog act on what lies behind the last surface
+  ShadowSegment rest{};                            // of the sample that was taken last
 
   // Moves a position within its cell.
   void jitter(int column, int batch, double& x, double& y) const {
@@ -84,22 +84,23 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
     if (const auto all = ask_first_corners(grid); all && all->r >= 0 && mean(*all, *all, *all, *all) == *all)
       return *all;
   Rgb result = area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
-  if (grid.attenuates) area_last_stretch(grid, result);
+  if (grid.attenuates) area_volumes(grid, result);
   return result;
 }
 
-// Media and fog act once for all samples: on the last stretch of the one that was asked last, and, where the grid was
-// quartered, on a ray to twice the position of the light; within things that are not hollow not at all (spec 06 9.4).
-void Tracer::area_last_stretch(const AreaGrid& grid, Rgb& color) {
+// Media and fog act once for all samples: behind the last surface on the way of the one that was taken last, and, where
+// the grid was quartered, on a ray to twice the position of the light; within things that are not hollow not at all
+// (spec 06 9.4).
+void Tracer::area_volumes(const AreaGrid& grid, Rgb& color) {
   if (color == Rgb()) return;
   RayState ray = grid.query.eye;
-  double length = grid.left.length;
+  double length = grid.rest.length;
   if (grid.quartered) {
     const Light& light = grid.query.light;
     const LightDirection to = light.direction(grid.p, light.source().position);
     ray.ray = {grid.p, to.towards}, length = to.distance;
   } else {
-    ray.ray = grid.left.ray;
+    ray.ray = grid.rest.ray;
   }
   if (length > kShadowTolerance) shadow_volumes(grid.query, ray, length, false, color);
 }
@@ -113,7 +114,7 @@ Rgb Tracer::area_sample(AreaGrid& grid, int column, int batch) {
     u += random_.shading() - 0.5, v += random_.shading() - 0.5;
   const LightDirection to = light.direction(grid.p, light.offset(grid.axes, u, v));
   Rgb color = grid.color;
-  cast_shadow(grid.query, grid.p, to.towards, to.distance, color, grid.attenuates ? &grid.left : nullptr);
+  cast_shadow(grid.query, {{grid.p, to.towards}, to.distance}, color, grid.attenuates ? &grid.rest : nullptr);
   return color;
 }
 
@@ -160,7 +161,7 @@ std::optional<Rgb> Tracer::ask_corners(const AreaGrid& grid, std::span<const int
       agreement.add(color);
     }
     if (filtered.count > 0) {
-      filter_row(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
+      filter_batch(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
       for (int k = 0; k < filtered.count; ++k) {
         *filtered_corners[k] = {filtered.light[k], corner_stamp_};
         agreement.add(filtered.light[k]);

@@ -31,7 +31,7 @@ Rgb Tracer::shadowed(const Light& light, const Vec3& p, const LightDirection& ce
   const ShadowQuery query{ray, lit, light};
   // Radiosity's gather rays see area lights as points (spec 07 2.11).
   if (light.area() && !ray.gather) return area_shadow(query, p, centre, color);
-  cast_shadow(query, p, centre.towards, centre.distance, color);
+  cast_shadow(query, {{p, centre.towards}, centre.distance}, color);
   return color;
 }
 
@@ -77,61 +77,57 @@ accel::CoherentRays::Viewer Tracer::viewer(const ShadowQuery& query) {
 }
 
 bool Tracer::light_on_way_changes(const Light& light) const {
-  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || media);
+  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || scene_.any_media());
 }
 
-bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards,
-                                double distance) const {
-  return only_opaque(entry) || scene_.world.only_opaque_between(p, p + distance * towards);
+bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Ray& ray, double length) const {
+  return only_opaque(entry) || scene_.world.only_opaque_between(ray.origin, ray.origin + length * ray.direction);
 }
 
-void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color,
-                         LastStretch* left) {
+void Tracer::cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& color, ShadowSegment* rest) {
   ++statistics_.shadow_rays;
-  const Ray ray{p, towards};
-  double behind = 0;  // the projector, to the light
+  const Ray ray = segment.ray;
   if (const shapes::Shape* projector = query.light.projector()) {
     shapes::Hit hit;
-    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, distance, hit)) {
+    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, segment.length, hit)) {
       color = {};
       return;
     }
     if (!query.light.highlights()) {  // shadowless: the projector and the air are all it heeds
       RayState eye = query.eye;
       eye.ray = ray;
-      if (left)
-        *left = {ray, distance};
-      else if (distance > kShadowTolerance)
-        shadow_volumes(query, eye, distance, false, color);
+      if (rest)
+        *rest = segment;
+      else if (segment.length > kShadowTolerance)
+        shadow_volumes(query, eye, segment.length, false, color);
       return;
     }
-    behind = distance - hit.t;
-    distance = hit.t;
+    segment.beyond = segment.length - hit.t;
+    segment.length = hit.t;
   }
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the
   // tolerance to the transparent surface before it does not count, opaque or not, and media draw their random numbers
   // where POV-Ray's do; what is remembered hangs on all of it.
-  accel::WorldEntry* const entry = shadow_entry(query, p);
-  if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, p, towards, distance)) {
-    filter_along(query, p, towards, distance, entry, color, nullptr, left, behind);
-  } else if (distance > 2 * kShadowTolerance &&
-             scene_.world.occluded(ray, contact_tolerance(query.light), distance - kShadowTolerance, entry)) {
+  accel::WorldEntry* const entry = shadow_entry(query, ray.origin);
+  if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, ray, segment.length)) {
+    filter_along(query, segment, entry, color, rest);
+  } else if (segment.length > 2 * kShadowTolerance &&
+             scene_.world.occluded(ray, contact_tolerance(query.light), segment.length - kShadowTolerance, entry)) {
     color = {};
   }
 }
 
-void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first, LastStretch* left,
-                          double behind) {
+void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const accel::WorldEntry* entry, Rgb& color,
+                          ShadowSegment* rest) {
   const InteriorScope scope(*this);
   const shapes::ShadowRays shadow_rays;
   const shapes::Shape** const last = last_blocker(query);
   RayState ray = query.eye;
-  ray.ray = {p, towards};
+  ray.ray = segment.ray;
+  double distance = segment.length;
   const shapes::Shape* const remembered = asked_first(last, query.eye.surface_level());
   const auto leave = [&] {
-    if (left) *left = {ray.ray, distance + behind};
+    if (rest) *rest = {ray.ray, distance + segment.beyond};
   };
   if (remembered && filter_by_remembered(query, *remembered, distance, ray, color)) {
     color = {};
@@ -147,7 +143,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     asked = true;
     known = scene_.world.boxes_along(ray.ray, from, distance - kShadowTolerance, entry, boxes);
   };
-  if (!first && query.lit && !query.lit->opaque) find_boxes();
+  if (query.lit && !query.lit->opaque) find_boxes();
   const auto look = [&](shapes::Hit& hit) {
     const double limit = distance - kShadowTolerance;
     const auto kind = shapes::RayKind::shadow;
@@ -157,12 +153,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
   for (bool clear = true;; clear = false) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
-    if (distance <= 2 * kShadowTolerance) break;
-    if (first)
-      hit = *first;
-    else if (!look(hit))
-      break;
-    first = nullptr;
+    if (distance <= 2 * kShadowTolerance || !look(hit)) break;
     from = kAboveShadowTolerance;
     const shapes::Surface& surface = *hit.shape->surface;
     if (hit.t < kAboveShadowTolerance && !surface.opaque) continue;
@@ -182,8 +173,8 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
       find_boxes();
   }
   leave();
-  const double rest = distance + behind;
-  if (!left && rest > kShadowTolerance) shadow_volumes(query, ray, rest, false, color);
+  distance += segment.beyond;
+  if (!rest && distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
 }
 
 // Atmosphere and fog act only for lights that ask for it; media of containers always, over segments that end at a

@@ -140,7 +140,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& 
         block(scene_.world, contact_tolerance(light), cell, entry, batch);
       },
       [&](const Travellers& cell, accel::WorldEntry* entry) {
-        filter_row(light, eye, entry, cell.index, cell.count, batch);
+        filter_batch(light, eye, entry, cell.index, cell.count, batch);
       });
 }
 
@@ -163,7 +163,7 @@ void Tracer::look_for_light(const Light& light, const RayState& eye, ShadowBatch
       },
       [&](const Travellers& cell, accel::WorldEntry* entry) {
         if (draws || changes) return;
-        filter_row(light, eye, entry, cell.index, cell.count, batch);
+        filter_batch(light, eye, entry, cell.index, cell.count, batch);
         know(cell);
       });
 }
@@ -181,8 +181,8 @@ void Tracer::dim(const Light& light, const RayState& eye, const int* index, int 
 
 // filter_along() for the rays `index` of a batch: where transparent surfaces may be met. Nothing but media of
 // containers acts between them here.
-void Tracer::filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
-                        int count, ShadowBatch& batch) {
+void Tracer::filter_batch(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
+                          int count, ShadowBatch& batch) {
   const InteriorScope scope(*this);
   // Those that have met a transparent surface.
   struct Way {

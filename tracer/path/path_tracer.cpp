@@ -236,7 +236,7 @@ Rgb PathTracer::from_emitter(const shading::RayState& state, const Vec3& from, S
     if (layers.empty() || through == Rgb()) return {};
     const scene::Interior& x = *at.surface.interior;
     const shading::Tracer::Refraction refraction = tracer_.cross_surface(ray, x);
-    if (std::fabs(refraction.ratio - 1) >= kEpsilon || std::fabs(refraction.dispersion - 1) >= kEpsilon) return {};
+    if (!refraction.straight() || refraction.disperses()) return {};
     share *= through * x.refraction * tracer_.fade_factor(ray.interiors, x, hit.t);
     ray.interiors = refraction.interiors, ray.hollow = refraction.hollow;
     ray.ray.origin = hit.point;

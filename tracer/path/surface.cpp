@@ -324,9 +324,8 @@ bool PathTracer::pass_through(Walk& walk, shading::SurfaceHit& at, const Layer& 
   const scene::Interior& x = *at.surface.interior;
   const shading::Tracer::Refraction refraction = tracer_.cross_surface(walk.ray, x);
   walk.weight *= tracer_.fade_factor(walk.ray.interiors, x, at.hit.t) * x.refraction;
-  const bool straight = std::fabs(refraction.ratio - 1) < kEpsilon,
-             dispersive = std::fabs(refraction.dispersion - 1) >= kEpsilon;
-  if (straight && !dispersive) {
+  const bool dispersive = refraction.disperses();
+  if (refraction.straight() && !dispersive) {
     walk.ray.ray.origin = at.hit.point;  // the vertex before stays the origin
     ++tracer_.statistics().transmitted_rays;
   } else {
@@ -347,8 +346,8 @@ bool PathTracer::pass_through(Walk& walk, shading::SurfaceHit& at, const Layer& 
     walk.origin = {};
     ++tracer_.statistics().refracted_rays;
   }
-  walk.ray.interiors = refraction.interiors, walk.ray.hollow = refraction.hollow;
-  walk.ray.primary = false, walk.ray.refracted = true;
+  refraction.enter(walk.ray);
+  walk.ray.primary = false;
   return true;
 }
 

@@ -162,11 +162,7 @@ void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::C
 PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction,
                                         const Rgb& color, float weight) {
   Packet child = packet;
-  child.ray.ray = {at.hit.point, direction};
-  child.ray.primary = false;
-  child.ray.continuation = false;
-  child.ray.level = at.level;
-  child.ray.weight *= weight;
+  child.ray = packet.ray.spawn({at.hit.point, direction}, at.level, packet.ray.weight * weight);
   child.color *= color;
   return child;
 }
@@ -176,9 +172,7 @@ bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& norma
   const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, *at.surface.interior);
   if (packet.passed || (refraction.straight() && !refraction.disperses())) {
     Packet child = child_of(packet, at, packet.ray.ray.direction, through.filter, through.weight);
-    child.ray.interiors = refraction.interiors;
-    child.ray.hollow = refraction.hollow;
-    child.ray.refracted = true;
+    refraction.enter(child.ray);
     child.ray.continuation = true;
     follow(child);
     return false;
@@ -209,9 +203,7 @@ bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, 
     return true;
   }
   Packet child = child_of(packet, at, *direction, through.filter, through.weight);
-  child.ray.interiors = refraction.interiors;
-  child.ray.hollow = refraction.hollow;
-  child.ray.refracted = true;
+  refraction.enter(child.ray);
   child.ray.wavelength = wavelength;
   follow(child);
   return false;

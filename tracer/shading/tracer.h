@@ -191,6 +191,7 @@ class Tracer {
     int samples;
     bool straight() const { return std::fabs(ratio - 1) < kEpsilon; }
     bool disperses() const { return !(std::fabs(dispersion - 1) < kEpsilon); }
+    void enter(RayState& ray) const { ray.interiors = interiors, ray.hollow = hollow, ray.refracted = true; }
   };
 
   // ---- tracer.cpp

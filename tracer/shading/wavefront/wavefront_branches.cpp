@@ -110,9 +110,7 @@ void Wavefront::trace_group(int group, const Tracer::Refraction* refraction) {
   child.state_.continuation = refraction && refraction->straight();
   child.state_.level = state_.surface_level();
   if (refraction) {
-    child.state_.refracted = true;
-    child.state_.interiors = refraction->interiors;
-    child.state_.hollow = refraction->hollow;
+    refraction->enter(child.state_);
   } else {
     child.state_.reflected = true;
   }

@@ -19,7 +19,7 @@
 
 #include "tracer/functions/program_packet.h"
 #include "tracer/textures/evaluation/evaluation.h"
-#include "tracer/textures/evaluation/missing_surface.h"
+#include "tracer/textures/evaluation/evaluation_faults.h"
 #include "tracer/noise/noise_cells.h"
 #include "tracer/textures/patterns/formulas.h"
 #include "tracer/textures/patterns/fractal_kernels.h"

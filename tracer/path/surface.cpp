@@ -25,12 +25,10 @@ double power_density(double cosine, double exponent) {
 
 Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at, double choice, Layers& layers,
                           Rgb& through) {
-  const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
   Rgb emitted;
   scene_.data.world.weighted_textures(at.hit, at.inside_hit, tracer_.weighted_);
-  const textures::CompiledTexture* texture =
-      at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+  const textures::CompiledTexture* texture = at.surface.texture_within(at.inside_hit);
   if (!tracer_.weighted_.empty()) {  // one of them, as often as it weighs
     double total = 0;
     for (const auto& entry : tracer_.weighted_) total += entry.weight;
@@ -50,26 +48,23 @@ Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at,
 
 void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit& at,
                                const textures::CompiledTexture& texture, const Vec3& p,
-                               const shading::Tracer::Frame* frame, double choice, Layers& layers, Rgb& emitted,
+                               const shading::TextureFrame* frame, double choice, Layers& layers, Rgb& emitted,
                                Rgb& through) {
   if (texture.patterned()) {
-    std::vector<textures::WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
-    Vec3 warped;
-    const auto chosen = textures::select(texture, p, &at.texture_point, storage, warped);
+    const shading::TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frame);
     double total = 0;
-    for (const auto& entry : chosen) total += entry.weight;
+    for (std::size_t i = 0; i < parts.size(); ++i) total += parts[i].weight;
     double left = choice * total;
-    const textures::WeightedTexture* one = nullptr;
-    for (const auto& entry : chosen) {
-      if (entry.weight <= 0) continue;
-      one = &entry;
-      if (left < entry.weight) break;
-      left -= entry.weight;
+    textures::WeightedTexture one{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].weight <= 0) continue;
+      one = parts[i];
+      if (left < one.weight) break;
+      left -= one.weight;
     }
-    if (!one) return;
-    const shading::Tracer::Frame inner{&texture, frame};
-    gather_layers(ray, at, *one->texture, warped, &inner, std::clamp(left / one->weight, 0.0, 1.0), layers, emitted,
-                  through);
+    if (!one.texture) return;
+    gather_layers(ray, at, *one.texture, parts.point, &parts.frame, std::clamp(left / one.weight, 0.0, 1.0), layers,
+                  emitted, through);
     return;
   }
   const shading::SceneData& data = scene_.data;

@@ -13,6 +13,7 @@
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"
 #include "tracer/shading/scene_data.h"
+#include "tracer/shading/texture_parts.h"
 #include "tracer/shading/shuffle.h"
 
 namespace verisim::path {
@@ -168,10 +169,6 @@ class Tracer {
   friend class Wavefront;         // camera rays shaded together
   friend class PhotonWalk;        // photons cross surfaces by the same rules
   friend class path::PathTracer;  // and so do paths
-  struct Frame {                  // enclosing patterned textures, innermost first
-    const textures::CompiledTexture* texture;
-    const Frame* outer;
-  };
   struct ShadedLayer {
     const textures::CompiledLayer* layer;
     Color pigment;
@@ -213,16 +210,16 @@ class Tracer {
   Color shade(const RayState& ray, const shapes::Hit& hit);
   Color shade_surface(const RayState& ray, const shapes::Hit& hit);  // without the media on the way to it
   Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                      const Frame* frame);
+                      const TextureFrame* frame);
   Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                     const Frame* frame);
-  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame);
+                     const TextureFrame* frame);
+  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const TextureFrame* frame);
   Color shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p);
 
   // ---- direct_light.cpp
   // Adds what lights add to a layer, one after another: what the layer sends out by itself comes first, as in POV-Ray.
   void add_direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum);
-  // All global lights may be asked with one row of shadow rays from the point.
+  // All global lights may be tested by one batch of shadow rays from the point.
   bool lights_go_together(const RayState& ray) const;
   void add_lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum);
   // What arrives before shadows are known; false: nothing that counts. `back`: on the side that faces away.
@@ -302,7 +299,7 @@ class Tracer {
   // What of the light from `towards` passes a surface's textures.
   Rgb filter_at(const shapes::Hit& hit, const Vec3& towards);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
-                     const Frame* frame);
+                     const TextureFrame* frame);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool to_surface, Rgb& color);
 
   // ---- area_light.cpp
@@ -310,10 +307,10 @@ class Tracer {
   struct AreaGrid;
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
-  Rgb area_sample(AreaGrid& grid, int column, int batch);
+  Rgb area_sample(AreaGrid& grid, int column, int row);
   void area_volumes(const AreaGrid& grid, Rgb& color);
   // The light that all of them let arrive; nothing: they differ.
-  std::optional<Rgb> ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
+  std::optional<Rgb> ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows);
   std::optional<Rgb> ask_first_corners(const AreaGrid& grid);
 
   const SceneData& scene_;
@@ -346,7 +343,7 @@ class Tracer {
   };
   Memory memory_of_others_;  // of gathered rays while others are traced, and of those while rays are gathered
   std::vector<CornerResult> corners_;
-  Shuffle area_batches_, area_columns_;
+  Shuffle area_rows_, area_columns_;
   std::vector<int>
       area_lines_[2];  // the columns and rows that the quartering of a grid of these sizes and levels asks for first
   std::array<int, 3> area_lines_of_{};

@@ -229,7 +229,7 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
   const Vec3 p = at.pattern_point();
   scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
   if (weighted_.empty()) {
-    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    const auto* texture = surface.texture_within(at.inside_hit);
     return texture ? texture_filter(at, *texture, p, towards, nullptr) : Rgb();
   }
   const std::size_t first = selection_.size();
@@ -246,21 +246,14 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
 }
 
 Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
-                           const Frame* frame) {
+                           const TextureFrame* frame) {
   if (texture.opaque) return {};
   if (texture.patterned()) {
-    const std::size_t first = selection_.size();
-    selection_.resize(first + std::max<std::size_t>(texture.map.size(), 2));
-    Vec3 warped;
-    const auto chosen = textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(first), warped);
-    const std::size_t count = chosen.size(), offset = static_cast<std::size_t>(chosen.data() - selection_.data());
-    const Frame inner{&texture, frame};
+    const TextureParts parts(selection_, texture, p, at.texture_point, frame);
     Rgb sum;
-    for (std::size_t i = 0; i < count; ++i) {
-      const textures::WeightedTexture entry = selection_[offset + i];
-      if (entry.weight != 0) sum += scaled(texture_filter(at, *entry.texture, warped, towards, &inner), entry.weight);
-    }
-    selection_.resize(first);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (const textures::WeightedTexture entry = parts[i]; entry.weight != 0)
+        sum += scaled(texture_filter(at, *entry.texture, parts.point, towards, &parts.frame), entry.weight);
     return sum;
   }
   const float caustics = at.surface.interior->caustics;

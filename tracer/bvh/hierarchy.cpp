@@ -282,9 +282,9 @@ std::size_t Hierarchy::settle(const Ray& ray, double best, std::span<const Found
     double key;
     std::size_t hit;
   };
-  constexpr std::size_t kMost = 16;
-  Turn turns[kMost];
-  if (hits.size() > kMost || any_copies(hits)) return settle_by_search(ray, best, hits);
+  constexpr std::size_t kMax = 16;
+  Turn turns[kMax];
+  if (hits.size() > kMax || any_copies(hits)) return settle_by_search(ray, best, hits);
   const Slabs slabs(ray);
   Turn* end = turns;
   for (std::size_t i = 0; i < hits.size(); ++i)

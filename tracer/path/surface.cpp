@@ -189,7 +189,7 @@ Rgb PathTracer::visible(const shading::RayState& eye, const shapes::Surface* lit
 Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit& at, const Layers& layers,
                          const Vec3& direction) {
   const Vec3& view = ray.ray.direction;
-  const bool outside = dot(direction, at.raw) > 0;
+  const bool outside = dot(direction, at.geometric_normal) > 0;
   Rgb sum;
   for (const Layer& l : layers) {
     const scene::Finish& finish = l.layer->finish;
@@ -293,7 +293,8 @@ bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& laye
   walk.weight *= response(walk.ray, at, layers, direction) * static_cast<float>(total / broad / chance);
   if (walk.weight == Rgb()) return false;
   walk.ray.ray = {at.hit.point, direction};
-  if (dot(direction, at.raw) < 0) {  // scattered to the other side: the ray is then inside, as one that passes
+  if (dot(direction, at.geometric_normal) <
+      0) {  // scattered to the other side: the ray is then inside, as one that passes
     const shading::Tracer::Refraction refraction = tracer_.cross_surface(walk.ray, *at.surface.interior);
     walk.ray.interiors = refraction.interiors, walk.ray.hollow = refraction.hollow;
   }
@@ -305,7 +306,7 @@ bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& laye
 
 void PathTracer::mirror(Walk& walk, const shading::SurfaceHit& at, const Layer& layer) {
   const Vec3 d = walk.ray.ray.direction;
-  walk.ray.ray = {at.hit.point, shading::reflected_direction(d, layer.normal, at.raw)};
+  walk.ray.ray = {at.hit.point, shading::reflected_direction(d, layer.normal, at.geometric_normal)};
   if (const scene::Finish& finish = layer.layer->finish; finish.irid > 0)
     walk.weight *=
         tracer_.film_tint(finish, tracer_.film_thickness(finish, at.hit.point),

@@ -33,7 +33,7 @@ class FirstSurface {
       for (const WeightedTexture& entry : weighted_) add(at, *entry.texture, p, nullptr, entry.weight, result);
     }
     const double size = length(result.normal);
-    result.normal = size > kEpsilon ? result.normal / size : at.raw;
+    result.normal = size > kEpsilon ? result.normal / size : at.geometric_normal;
     return result;
   }
 
@@ -51,7 +51,8 @@ class FirstSurface {
     bool top = true;
     for (const textures::CompiledLayer& layer : texture.layers) {
       const Vec3 normal =
-          layer.normal ? shading::perturb_in_frames(*layer.normal, p, at.raw, at.texture_point, frame) : at.raw;
+          layer.normal ? shading::perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frame)
+                       : at.geometric_normal;
       if (top) out.normal += normal * static_cast<double>(weight);
       top = false;
       Color c;

@@ -207,7 +207,8 @@ bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, 
 }
 
 void PhotonWalk::reflect(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& color, float weight) {
-  Packet child = child_of(packet, at, reflected_direction(packet.ray.ray.direction, normal, at.raw), color, weight);
+  Packet child =
+      child_of(packet, at, reflected_direction(packet.ray.ray.direction, normal, at.geometric_normal), color, weight);
   child.ray.reflected = true;
   child.passed = false;
   follow(child);

@@ -43,12 +43,12 @@ SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& dir
                        int child_level)
     : hit(h),
       surface(*h.shape->surface),
-      raw(normal),
-      inside_hit(dot(raw, direction) > 0),
+      geometric_normal(normal),
+      inside_hit(dot(geometric_normal, direction) > 0),
       light_cache(cache),
       level(child_level) {
-  if (inside_hit) raw = -raw;
-  texture_point = {h.point, raw, direction,
+  if (inside_hit) geometric_normal = -geometric_normal;
+  texture_point = {h.point, geometric_normal, direction,
                    [](const void* context) {
                      const auto& seen = *static_cast<const shapes::Hit*>(context);
                      return seen.shape->uv(seen);
@@ -114,8 +114,8 @@ Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures:
 
 Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p,
                           const TextureFrame* frame) {
-  if (!layer.normal || scene_.quality < 8) return at.raw;
-  return perturb_in_frames(*layer.normal, p, at.raw, at.texture_point, frame);
+  if (!layer.normal || scene_.quality < 8) return at.geometric_normal;
+  return perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frame);
 }
 
 // Quality 0 and 1: the colour of the lowest layer reached.

@@ -15,10 +15,10 @@ struct TextureFrame {
 };
 
 // The perturbed normal in world space; every evaluation leaves its trace in the texture point (spec 05 3.4).
-inline Vec3 perturb_in_frames(const textures::CompiledNormal& normal, const Vec3& p, const Vec3& raw,
+inline Vec3 perturb_in_frames(const textures::CompiledNormal& normal, const Vec3& p, const Vec3& geometric_normal,
                               textures::SurfacePoint& surface, const TextureFrame* frame) {
   const auto enter = [&](const auto& self, const TextureFrame* f) -> Vec3 {  // outermost first
-    return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : raw;
+    return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : geometric_normal;
   };
   surface.normal = enter(enter, frame);
   Vec3 n = textures::perturb(normal, p, surface);

@@ -39,8 +39,8 @@ struct SurfaceHit {
 
   const shapes::Hit& hit;
   const shapes::Surface& surface;
-  Vec3 raw;         // geometric normal towards the viewer
-  bool inside_hit;  // the surface was hit from within
+  Vec3 geometric_normal;  // towards the viewer
+  bool inside_hit;        // the surface was hit from within
   textures::SurfacePoint texture_point;
   std::size_t light_cache;   // where this hit's results per global light start
   bool keeps_lights = true;  // several layers may ask for them

@@ -101,7 +101,8 @@ Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLa
 
 Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight) {
   const Vec3& d = ray.ray.direction;
-  RayState child = ray.spawn({at.hit.point, reflected_direction(d, layer.normal, at.raw)}, at.level, weight);
+  RayState child =
+      ray.spawn({at.hit.point, reflected_direction(d, layer.normal, at.geometric_normal)}, at.level, weight);
   child.reflected = true;
   ++statistics_.reflected_rays;
   Rgb seen = trace(child).rgb();

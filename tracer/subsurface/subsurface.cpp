@@ -138,7 +138,7 @@ class Estimator {
 
   // A place where light enters that leaves at the point.
   struct Entrance {
-    Vec3 point, normal;  // raw
+    Vec3 point, normal;  // geometric
     Vec3 inward;         // the direction it was found in
     double weight;
     Channels reflected;  // share that leaves

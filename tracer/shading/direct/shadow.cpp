@@ -16,9 +16,9 @@ bool box_passes(const shapes::Shape& shape, const Ray& ray) {
   return !shape.object->as<scene::Csg>() || accel::slab_test(shape.object->bounds).passes(ray);
 }
 
-// What is asked before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
+// What is tested before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
 // yet, what deeper ones do. `last` is in the pair of both.
-const shapes::Shape* asked_first(const shapes::Shape* const* last, int surface_level) {
+const shapes::Shape* tested_first(const shapes::Shape* const* last, int surface_level) {
   if (!last || *last || surface_level > 1) return last ? *last : nullptr;
   return last[1];
 }
@@ -125,7 +125,7 @@ void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const
   RayState ray = query.eye;
   ray.ray = segment.ray;
   double distance = segment.length;
-  const shapes::Shape* const remembered = asked_first(last, query.eye.surface_level());
+  const shapes::Shape* const remembered = tested_first(last, query.eye.surface_level());
   const auto leave = [&] {
     if (rest) *rest = {ray.ray, distance + segment.beyond};
   };
@@ -138,9 +138,9 @@ void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const
   // What lies on the way is found once: at the first transparent surface, which is where the ray starts if that is one.
   accel::BoxesAlong boxes;
   double travelled = 0;  // since then
-  bool asked = false, known = false;
+  bool searched = false, known = false;
   const auto find_boxes = [&] {
-    asked = true;
+    searched = true;
     known = scene_.world.boxes_along(ray.ray, from, distance - kShadowTolerance, entry, boxes);
   };
   if (query.lit && !query.lit->opaque) find_boxes();
@@ -167,7 +167,7 @@ void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const
     ray.hollow = all_hollow(ray.interiors);
     ray.ray.origin = hit.point;
     distance -= hit.t;
-    if (asked)
+    if (searched)
       travelled += hit.t;
     else
       find_boxes();
@@ -261,7 +261,7 @@ Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& text
   for (const textures::CompiledLayer& layer : texture.layers) {
     Color c;
     // Fake caustics: once per layer, so a surface may brighten the light.
-    Vec3 normal = at.raw;
+    Vec3 normal = at.geometric_normal;
     if (caustics != 0) normal = layer_normal(at, layer, p, frame);
     if (textures::evaluate(*layer.pigment, p, &at.texture_point, c)) filter *= c.transmission();
     if (caustics != 0)

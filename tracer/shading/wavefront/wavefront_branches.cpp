@@ -67,7 +67,7 @@ void Wavefront::aim_behind(Branch& branch) {
   } else {
     branch.total = true;
     branch.group = 0;
-    branch.direction = reflected_direction(d, normal, at.raw);
+    branch.direction = reflected_direction(d, normal, at.geometric_normal);
   }
 }
 
@@ -88,8 +88,8 @@ void Wavefront::trace_branches() {
     branch.group = 0;
     branch.weight = weights_[branch.ray] * branch.layer.translucency *
                     Tracer::mirror_strength(branch.layer.layer->finish.reflection, branch.layer.reflectivity);
-    branch.direction =
-        reflected_direction(packet_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
+    branch.direction = reflected_direction(packet_.rays.direction.at(branch.ray), branch.layer.normal,
+                                           met_[branch.ray].at->geometric_normal);
   }
   trace_group(0, nullptr);
   for (std::size_t i = 0; i < crossings_.size(); ++i)

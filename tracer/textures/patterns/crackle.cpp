@@ -108,7 +108,7 @@ double in_form(const CrackleData& data, double s0, double s1, double s2) {
   return clamp01(sum);
 }
 
-// The cells of a batch's points, and their places there.
+// The cells of a row's points, and their places there.
 struct CrackleBatch {
   alignas(64) double cell[3][PointBatch::kMax], place[3][PointBatch::kMax];
   bool together(int i, int k) const {
@@ -130,7 +130,7 @@ class CrackleValues {
         cell_at(at.cell[0][0], at.cell[1][0], at.cell[2][0]), at);
     best_kernels.in_form(at, form_, data_.offset_power, squares_, values);
   }
-  // Points of a batch wherever they are, cell by cell.
+  // Points of a row wherever they are, cell by cell.
   void of_all(const CrackleBatch& batch, std::uint64_t open) const {
     while (open != 0) {
       const int first = std::countr_zero(open);

@@ -16,7 +16,8 @@ class Target {
  public:
   explicit Target(scene::ObjectPtr object);
   ~Target();
-  // Nearest hit (t >= 1e-4); direction is normalised here, a zero direction misses. The normal is raw (spec 03 2.5).
+  // Nearest hit (t >= 1e-4); direction is normalised here, a zero direction misses. The normal is the geometric one
+  // (spec 03 2.5).
   std::optional<TraceHit> trace(const Vec3& origin, const Vec3& direction) const;
   bool inside(const Vec3& p) const;
   // False: a patch or a light source is among its parts; one is enough to deny a CSG object its inside.

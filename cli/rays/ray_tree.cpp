@@ -128,8 +128,8 @@ void RayTree::layer(const shading::SurfaceHit& at, const shading::LayerContext& 
   hit_point_ = at.hit.point;
   const std::string name = name_of(&at.surface);
   line(fmt::format("hits {} at {:.9g}{}", name, at.hit.t, at.inside_hit ? ", from inside" : ""));
-  line(fmt::format("  point {}, normal {}{}", text(at.hit.point), text(at.raw),
-                   layer.normal == at.raw ? "" : ", perturbed to " + text(layer.normal)));
+  line(fmt::format("  point {}, normal {}{}", text(at.hit.point), text(at.geometric_normal),
+                   layer.normal == at.geometric_normal ? "" : ", perturbed to " + text(layer.normal)));
   const Color& c = layer.pigment;
   line(fmt::format("  pigment {}{}{}{}", text(c.rgb()), c.f == 0 ? "" : fmt::format(" filter {:.4g}", c.f),
                    c.t == 0 ? "" : fmt::format(" transmit {:.4g}", c.t),
@@ -141,12 +141,12 @@ void RayTree::layer(const shading::SurfaceHit& at, const shading::LayerContext& 
                    f.specular == 0 ? "" : fmt::format(", specular {:.4g} roughness {:.4g}", f.specular, f.roughness),
                    reflectivity == Rgb() ? "" : ", reflects " + text(reflectivity)));
   if (open_.empty()) return;
-  open_.back().normal = at.raw;
+  open_.back().normal = at.geometric_normal;
   const Rgb own = c.rgb() * (f.ambient * data_->ambient_light + f.emission) * layer.opacity;
   open_.back().share = layer.filter * open_.back().weight();
   open_.back().story["layers"].push_back({{"object", name},
                                           {"point", numbers(at.hit.point)},
-                                          {"normal", numbers(at.raw)},
+                                          {"normal", numbers(at.geometric_normal)},
                                           {"bumped", numbers(layer.normal)},
                                           {"inside", at.inside_hit},
                                           {"pigment", numbers(c.rgb())},

@@ -18,7 +18,7 @@
 #include "tracer/base/coarse_clock.h"
 #include "tracer/functions/evaluation_budget.h"
 #include "tracer/textures/compile/texture_pool.h"
-#include "tracer/textures/evaluation/missing_surface.h"
+#include "tracer/textures/evaluation/evaluation_faults.h"
 #include "tracer/query.h"
 
 namespace verisim::parser {

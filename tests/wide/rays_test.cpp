@@ -6,9 +6,8 @@
 #include <memory>
 #include <random>
 
-#include "parser/parse.h"
-#include "parser/source/diagnostic.h"
 #include "tests/wide/each_instruction_set.h"
+#include "tests/wide/sdl_tables.h"
 #include "tracer/bvh/shaft.h"
 #include "tracer/world/world.h"
 
@@ -18,196 +17,14 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kPacketRays = RayPacket::kCount;
 
-// A solid or a sheet about as large as the unit ball; M: the modifiers of a variant.
-struct ObjectLine {
-  const char *name, *sdl;
-};
-constexpr ObjectLine kObjectLines[] = {
-    {"sphere", "sphere { <.1,-.2,.3>, .9 M() }"},
-    {"inside-out sphere", "sphere { 0, -.5 M() }"},
-    {"box", "box { <-1,-.7,-.5>, <.8,.9,1> M() }"},
-    {"flat box", "box { <-1,0,-1>, <1,0,1> M() }"},
-    {"cylinder", "cylinder { -y, .8*y, .6 M() }"},
-    {"tube", "cylinder { -y, .8*y, .6 open M() }"},
-    {"cone", "cone { -y, 1, y, .4 M() }"},
-    {"open cone", "cone { -y, 1, y, .4 open M() }"},
-    {"double cone", "cone { <-.5,.3,0>, -.4, <1,0,.2>, .8 M() }"},
-    {"plane", "plane { <1,2,-.5>, .3 M() }"},
-    {"disc", "disc { <.1,.2,0>, <1,2,-.5>, 1, .3 M() }"},
-    {"quadric", "quadric { <1,.5,1.5>, <.2,-.1,.3>, <.1,-.2,0>, -1 M() }"},
-    {"paraboloid", "quadric { <1,-1,0>, 0, z, 0 M() }"},
-    {"triangle", "triangle { <-1.3,-.8,.4>, <1.2,-.9,-.3>, <.2,1.4,.1> M() }"},
-    {"smooth triangle", "smooth_triangle { <.3,-1.2,-1>, x, <.2,1.3,-.8>, <1,.2,0>, <-.3,.2,1.5>, <1,.1,-.3> M() }"},
-    {"polygon", "polygon { 6, <-1,-1>, <1,-1>, <1,1>, <.2,0>, <-1,1>, <-1,-1> rotate 20*x M() }"},
-    {"bicubic patch",
-     "bicubic_patch { type 1 flatness .01 u_steps 3 v_steps 3 <-1,0,-1>, <-.3,1,-1>, <.3,-1,-1>, <1,0,-1>, <-1,.5,-.3>,"
-     " <-.3,1,-.3>, <.3,0,-.3>, <1,.5,-.3>, <-1,-.5,.3>, <-.3,0,.3>, <.3,1,.3>, <1,0,.3>, <-1,0,1>, <-.3,-1,1>,"
-     " <.3,.7,1>, <1,0,1> M() }"},
-    {"torus", "torus { .9, .35 M() }"},
-    {"spindle torus", "torus { .3, .6 M() }"},
-    {"ovus", "ovus { .6, .3 translate -.3*y M() }"},
-    {"superellipsoid .4 .8", "superellipsoid { <.4,.8> M() }"},
-    {"superellipsoid 1 1", "superellipsoid { 1 M() }"},
-    {"superellipsoid 2 .15", "superellipsoid { <2,.15> M() }"},
-    {"superellipsoid 1.3 2", "superellipsoid { <1.3,2> M() }"},
-    {"superellipsoid 2.5 1", "superellipsoid { <2.5,1> M() }"},
-    {"polynomial 2", "polynomial { 2, xyz(2,0,0): 1, xyz(0,2,0): 2, xyz(0,0,1): 1, xyz(0,0,0): -.5 M() }"},
-    {"polynomial 3",
-     "polynomial { 3, xyz(3,0,0): 1, xyz(0,3,0): 1, xyz(0,0,2): 1, xyz(0,1,1): .5, xyz(0,0,0): -.3 M() }"},
-    {"polynomial 4",
-     "polynomial { 4, xyz(4,0,0): 1, xyz(0,4,0): 1, xyz(0,0,4): 1, xyz(2,0,0): -1, xyz(0,2,0): -1,"
-     " xyz(0,0,2): -1, xyz(0,0,0): .4 M() }"},
-    {"polynomial 5", "polynomial { 5, xyz(5,0,0): 1, xyz(0,4,0): 1, xyz(0,0,2): 1, xyz(0,0,0): -.2 sturm M() }"},
-    {"polynomial 6",
-     "polynomial { 6, xyz(6,0,0): 1, xyz(1,2,3): -.7, xyz(0,4,1): 2, xyz(0,0,5): .3, xyz(2,1,0): 1,"
-     " xyz(0,0,0): -1 M() }"},
-    {"polynomial 14", "polynomial { 14, xyz(14,0,0): 1, xyz(0,4,0): 1, xyz(0,0,2): 1, xyz(0,0,0): -.5 M() }"},
-    {"blob",
-     "blob { threshold .5 sphere { -.4*x, .9, 1 } sphere { <.5,.2,0>, .8, 1 } sphere { .4*y, .4, -1.5 }"
-     " cylinder { <-.5,-.6,.2>, <.6,.5,0>, .5, 1 } M() }"},
-    {"blob of moved parts",
-     "blob { threshold .3 cylinder { 0, .6*y, .7, 1 scale <.7,1.3,1> rotate <30,10,50> }"
-     " sphere { .3*x, .8, .6 scale <.7,1.3,1> rotate <30,10,50> } M() }"},
-    {"cloud",
-     "#declare S = seed(4); blob { threshold .5 #for (I, 1, 120) sphere { 1.6*(<rand(S),rand(S),rand(S)>-.5),"
-     " .3, #if (mod(I,7)) 1 #else -.5 #end } #end M() }"},
-    {"crowd",
-     "#declare S = seed(5); blob { threshold 100 #for (I, 1, 220)"
-     " sphere { 1.6*(<rand(S),rand(S),rand(S)>-.5), 2.5, 1 } #end scale .4 M() }"},
-    {"sor", "sor { 6, <.2,-1.2>, <.4,-.8>, <.8,-.2>, <.3,.3>, <.5,.8>, <.6,1> M() }"},
-    {"open sor", "sor { 6, <.2,-1.2>, <.4,-.8>, <.8,-.2>, <.3,.3>, <.5,.8>, <.6,1> open M() }"},
-    {"linear lathe", "lathe { linear_spline 4, <0,-1>, <.8,-.5>, <.3,.4>, <.9,1> M() }"},
-    {"quadratic lathe", "lathe { quadratic_spline 5, <0,-1.2>, <.5,-1>, <.9,0>, <.4,.5>, <0,.9> M() }"},
-    {"cubic lathe", "lathe { cubic_spline 6, <.3,-1>, <.7,-.8>, <.4,-.2>, <.9,.5>, <0,.9>, <-.4,1> M() }"},
-    {"Bezier lathe",
-     "lathe { bezier_spline 8, <.4,-1>, <1.2,-.6>, <.1,-.2>, <.3,.3>, <.3,.3>, <.5,.5>, <.2,.7>,"
-     " <.7,.9> M() }"},
-    {"long lathe", "lathe { linear_spline 40 #for (I, 0, 39) , <.5+.3*sin(I),-1+I/20> #end M() }"},
-    {"prism",
-     "prism { linear_sweep linear_spline -.9, .8, 7, <1.3,.1>, <.2,.3>, <-1,1.1>, <-.4,-.2>, <-.9,-1.2>,"
-     " <.3,-.4>, <1.3,.1> M() }"},
-    {"conic prism",
-     "prism { conic_sweep cubic_spline -1, 1, 8, <.5,-1>, <1,0>, <0,1>, <-1,0>, <0,-1>, <1,0>, <0,1>,"
-     " <-1,0> M() }"},
-    {"linear sweep", "sphere_sweep { linear_spline 3, <-1,0,0>, .3, <.3,.8,.2>, .2, <.8,-.3,.2>, .5 M() }"},
-    {"b-spline sweep", "sphere_sweep { b_spline 4, <-1,0,0>, .6, <-.3,.8,.2>, .8, <.6,-.7,.2>, .9, <1,.8,0>, .4 M() }"},
-    {"cubic sweep",
-     "sphere_sweep { cubic_spline 6, <-1,-1,0>, .2, <-.7,.4,.1>, .3, <0,-.3,.4>, .4, <.5,.6,-.3>, .2,"
-     " <.9,-.2,0>, .3, <1,-1,.5>, .2 M() }"},
-    {"mesh", "mesh { Folded(24) M() }"},
-    {"solid mesh", "mesh { Folded(9) inside_vector y M() }"},
-    {"mesh without a tree", "mesh { Folded(7) hierarchy off M() }"},
-    {"text", "text { ttf \"timrom.ttf\" \"Rg\" .4, 0 scale 1.6 translate <-.8,-.5,-.3> M() }"},
-    {"hills", "height_field { function 300, 200 { .5+.3*sin(30*x)*cos(20*y) } translate -.5 scale 1.7 M() }"},
-    {"terraces",
-     "height_field { function 37, 21 { floor(4*f_noise(x*9,y*9,0))/4 } water_level .3 translate -.5"
-     " scale 1.7 M() }"},
-    {"rough", "height_field { function 23, 31 { f_noise(x*40,y*40,0) } smooth translate -.5 scale 1.7 M() }"},
-    {"isosurface",
-     "isosurface { function { x*x+y*y+z*z-.8+.2*sin(6*x)*sin(6*y)*sin(6*z) } max_gradient 5 accuracy"
-     " .002 contained_by { box { -1.2, 1.2 } } M() }"},
-    {"isosurface of several",
-     "isosurface { function { x*x+y*y+z*z-.8+.9*sin(6*x)*sin(6*y)*sin(6*z) } threshold .1"
-     " max_gradient 1.1 accuracy .05 all_intersections contained_by { sphere { 0, .9 } } M() }"},
-    {"open isosurface",
-     "isosurface { function { x*x+y*y+tanh(z)-.5 } open max_gradient 3 max_trace 3"
-     " contained_by { box { -1, 1 } } M() }"},
-    {"isosurface of noise",
-     "isosurface { function { x*x+y*y+z*z-.8+f_noise(x*5,y*5,z*5)*.3 } max_gradient 6"
-     " contained_by { box { -1, 1 } } M() }"},
-    {"fine isosurface", "isosurface { function { x*x+y*y+z*z-.8 } accuracy 1e-300 max_gradient 5 M() }"},
-    {"julia", "julia_fractal { <-.162,.163,-.56,.1> max_iteration 7 precision 20 slice <.1,.2,-.1,.97>, .05 M() }"},
-    {"julia of cubes", "julia_fractal { <-.2,.3,-.5,.1> quaternion cube max_iteration 6 precision 30 M() }"},
-    {"hypercomplex julia", "julia_fractal { <-.162,.163,-.56,.1> hypercomplex max_iteration 7 precision 20 M() }"},
-    {"hypercomplex julia of cubes",
-     "julia_fractal { <-.2,.3,-.5,.1> hypercomplex cube max_iteration 6 precision 30 M()"
-     " }"},
-    {"union", "union { object { Ball } object { Ring } object { Tube } plane { <.2,1,0>, -.9 } M() }"},
-    {"union of many", "union { #for (I, 0, 39) sphere { <.1*I-2,.5*sin(I),.5*cos(2*I)>, .2 } #end M() }"},
-    {"union of twenty",
-     "union { julia_fractal { <-.2,.3,-.5,.1> max_iteration 4 } #for (I, 0, 18) sphere {"
-     " <.15*I-1.4,.5*sin(I),.5*cos(2*I)>, .2 } #end M() }"},
-    {"union in the same place",
-     "union { object { Ball } object { Ball } union { object { Ball } object { Ring } } M() }"},
-    {"solids in the same place",
-     "intersection { union { object { Block } object { Block } object { Ring } object { Ring }"
-     " } plane { <.2,1,0>, .5 } M() }"},
-    {"merge", "merge { object { Ball } object { Ring } object { Body } M() }"},
-    {"merged blobs", "merge { object { Two } object { Two scale .9 rotate 40*y } object { Ring } M() }"},
-    {"intersection", "intersection { object { Ball } plane { <1,1,.3>, .4 } plane { -y, .7 } M() }"},
-    {"waist", "intersection { plane { y, .6 } quadric { <1,-1,1>, 0, 0, -.2 } plane { -y, .7 } M() }"},
-    {"infinite intersection", "intersection { plane { y, .6 } plane { <1,1,.3>, .4 } M() }"},
-    {"six planes",
-     "intersection { plane { y, .6 } plane { -y, .7 } plane { x, .5 } plane { -x, .5 } plane { z, .5 }"
-     " plane { -z, .3 } M() }"},
-    {"twenty planes", "intersection { #for (I, 0, 19) plane { <sin(I),cos(2*I),sin(3*I)+.2>, .8 } #end M() }"},
-    // More than a tree takes.
-    {"fifty planes", "intersection { #for (I, 0, 49) plane { <sin(I),cos(2*I),sin(3*I)+.2>, .8 } #end M() }"},
-    {"many cuts",
-     "difference { object { Body } plane { <1,.3,0>, -.5 } #for (I, 0, 45) sphere { <sin(I),cos(2*I),"
-     "sin(3*I)>, .3 } #end M() }"},
-    {"difference", "difference { object { Block } object { Tube } object { Ball } M() }"},
-    {"difference of a convex",
-     "difference { object { Body } object { Ring } difference { object { Tube } object {"
-     " Block } } object { Ball } M() }"},
-    {"hollow blob", "difference { object { Two } object { Two scale .8 } M() }"},
-    {"difference of prisms",
-     "difference { prism { -.9, .8, 7, <1.2,0>, <.6,1>, <-.6,1>, <-1.2,0>, <-.6,-1>, <.6,-1>,"
-     " <1.2,0> } object { Tube } M() }"},
-    {"clipped parts",
-     "merge { object { Ball clipped_by { plane { <.2,1,0>, .3 } } } object { Block clipped_by { Tube } }"
-     " object { Tube clipped_by { object { Block } } inverse } M() }"},
-};
-
-constexpr const char* kRaysPrelude = R"(#version 3.7; global_settings { assumed_gamma 1 }
-#declare f_noise = function { internal(76) }
-#declare Block = box { <-1.2,-.9,-1>, <1.2,.9,1> }
-#declare Tube = cylinder { -2*x, 2*x, .7 rotate <0,10,5> }
-#declare Ball = sphere { <.3,.2,.1>, .9 }
-#declare Ring = torus { .9, .2 }
-#declare Body = superellipsoid { <.1,.3> scale <1.2,.8,1> rotate <5,20,0> }
-#declare Two = blob { threshold .2 sphere { -.5*x, 1.2, 1 } sphere { <.6,.1,0>, 1.1, 1 } }
-#macro P(I, K, N) <2.4*I/N-1.2, .5*sin(12*I/N-6)+.2*cos(17*K/N-8), 2.4*K/N-1.2> #end
-#macro Folded(N) #for (I, 0, N-1) #for (K, 0, N-1) triangle { P(I,K,N), P(I,K+1,N), P(I+1,K,N) }
-  triangle { P(I,K+1,N), P(I+1,K+1,N), P(I+1,K,N) } #if (I=K) triangle { P(I,K,N), P(I,K+1,N), P(I+1,K,N) } #end
-  #end #end #end
-#macro Leaf(S)
-  #switch (int(7*rand(S)))
-    #case (0) sphere { rand(S)-.5, .3+.8*rand(S) #break
-    #case (1) box { -.1-rand(S)*<1,.5,.8>, .1+rand(S)*<1,.8,.5> #break
-    #case (2) box { <-1,-1,-.5>, <1,.5,1> #break
-    #case (3) plane { <rand(S)-.5,rand(S)-.5,.7>, rand(S)-.3 #break
-    #case (4) cone { -.8*y, .9*rand(S), .9*y, .5 #if (rand(S)<.3) open #end #break
-    #case (5) torus { .8, .3 #break
-    #else object { Two
-  #end
-  #if (rand(S)<.5) rotate 90*<rand(S),rand(S),rand(S)> translate .6*(<rand(S),rand(S),rand(S)>-.5) #end
-  #if (rand(S)<.15) clipped_by { sphere { .2, 1.2 } } #end #if (rand(S)<.15) inverse #end }
-#end
-#macro Tree(S, Depth)
-  #if (Depth = 0 | rand(S) < .15) Leaf(S)
-  #else
-    #switch (int(4*rand(S)))
-      #case (0) union { #break #case (1) merge { #break #case (2) intersection { #break #else difference {
-    #end
-    #for (I, 0, 1+int(3*rand(S))) Tree(S, Depth-1) #end
-    #if (rand(S)<.4) scale <1.3,.9,.8> rotate 90*<rand(S),0,rand(S)> #end #if (rand(S)<.15) inverse #end }
-  #end
-#end
-)";
-struct Variant {
-  const char *name, *modifiers;
-};
-constexpr Variant kVariants[] = {{"", ""},
-                                 {" moved", "scale <.7,-1.2,.9> rotate <20,70,-40> translate <.2,.1,-.3>"},
-                                 {" clipped", "clipped_by { plane { <.1,1,0>, .2 } } bounded_by { sphere { 0, 1.1 } }"},
-                                 {" inverse", "rotate 90*y inverse"}};
-
+const SdlTables& tables() {
+  static const SdlTables tables("rays.sdl");
+  return tables;
+}
 scene::Scene scene_of(const std::string& sdl) {
-  parser::ParseResult result = parser::parse_text(kRaysPrelude + sdl, "line.pov", {});
-  if (!result.errors.empty() || !result.scene) throw std::runtime_error(parser::format(result.errors.front()));
-  scene::complete(*result.scene);
-  return std::move(*result.scene);
+  scene::Scene scene = tables().scene(sdl);
+  scene::complete(scene);
+  return scene;
 }
 
 // Rays that go the same way or anywhere, from outside or within, along axes and the lines of grids; every third round
@@ -302,11 +119,11 @@ void expect_the_same(const shapes::Shape& shape, int rounds, int& met, Journal& 
 
 TEST(WideRays, MeetEachShapeAsTheyMeetItAlone) {
   with_each_instruction_set([](Journal& journal) {
-    for (const ObjectLine& line : kObjectLines) {
-      for (const Variant& variant : kVariants) {
-        SCOPED_TRACE(std::string(line.name) + variant.name);
-        journal.begin(std::string(line.name) + variant.name);
-        const scene::Scene scene = scene_of(std::string("#macro M() ") + variant.modifiers + " #end " + line.sdl);
+    for (const SdlLine& line : tables()["objects"]) {
+      for (const SdlLine& variant : tables()["variants"]) {
+        SCOPED_TRACE(line.name + ", " + variant.name);
+        journal.begin(line.name + ", " + variant.name);
+        const scene::Scene scene = scene_of("#macro M() " + variant.sdl + " #end " + line.sdl);
         int met = 0;
         expect_the_same(*shapes::compile(*scene.objects.at(0)), 600, met, journal);
         EXPECT_GT(met, 60);
@@ -334,8 +151,8 @@ TEST(WideRays, MeetRandomTreesOfSolidsAsTheyMeetThemAlone) {
 std::string crowd_of(std::size_t from, std::size_t count, int balls, bool skies) {
   std::string sdl = "#macro M() #end #declare S = seed(3); #macro V() 6*(<rand(S),rand(S),rand(S)>-.5) #end\n";
   for (std::size_t i = from; i < from + count; ++i)
-    sdl += std::string("union { ") + kObjectLines[i].sdl +
-           " rotate 99*V() scale .6 translate V() pigment { rgbt <1,1,1," + (i % 6 == 0 ? ".5" : "0") + "> } }\n";
+    sdl += "union { " + tables()["objects"][i].sdl + " rotate 99*V() scale .6 translate V() pigment { rgbt <1,1,1," +
+           (i % 6 == 0 ? ".5" : "0") + "> } }\n";
   sdl += "#for (I, 1, " + std::to_string(balls) +
          ") sphere { V(), .3 pigment { rgbt <1,1,1,select(mod(I,20),0,.5,0)> } } #end\n";
   if (skies) sdl += "sphere { 0, 99 hollow pigment { rgbt .5 } } plane { y, -70 hollow pigment { rgbt .9 } }";
@@ -343,9 +160,9 @@ std::string crowd_of(std::size_t from, std::size_t count, int balls, bool skies)
 }
 
 TEST(WideRays, MeetAWorldAsTheyMeetItAlone) {
-  constexpr std::size_t kAll = std::size(kObjectLines);
-  with_each_instruction_set([](Journal& journal) {
-    for (const std::string& sdl : {crowd_of(0, kAll, 0, false), crowd_of(20, 2, 0, false), crowd_of(0, 15, 100, false),
+  const std::size_t all = tables()["objects"].size();
+  with_each_instruction_set([all](Journal& journal) {
+    for (const std::string& sdl : {crowd_of(0, all, 0, false), crowd_of(20, 2, 0, false), crowd_of(0, 15, 100, false),
                                    crowd_of(30, 30, 5, true)}) {
       journal.begin("world of " + std::to_string(sdl.size()));
       const scene::Scene scene = scene_of(sdl);

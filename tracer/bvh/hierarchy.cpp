@@ -282,9 +282,9 @@ std::size_t Hierarchy::settle(const Ray& ray, double best, std::span<const Found
     double key;
     std::size_t hit;
   };
-  constexpr std::size_t kMost = 16;
-  Turn turns[kMost];
-  if (hits.size() > kMost || any_copies(hits)) return settle_by_search(ray, best, hits);
+  constexpr std::size_t kMax = 16;
+  Turn turns[kMax];
+  if (hits.size() > kMax || any_copies(hits)) return settle_by_search(ray, best, hits);
   const Slabs slabs(ray);
   Turn* end = turns;
   for (std::size_t i = 0; i < hits.size(); ++i)
@@ -311,15 +311,15 @@ std::size_t Hierarchy::settle(const Ray& ray, double best, std::span<const Found
 }
 
 std::size_t Hierarchy::settle_by_search(const Ray& ray, double best, std::span<const Found> hits) const {
-  std::size_t stays = hits.size(), asked = 0;
+  std::size_t stays = hits.size(), tested = 0;
   // What else the search asks lies further away and changes nothing.
   search(ray, best, [&](std::uint32_t entry) {
     const auto hit = std::ranges::lower_bound(hits, entry, {}, &Found::entry);
     if (hit != hits.end() && hit->entry == entry) {
       if (hit->t < best) best = hit->t, stays = static_cast<std::size_t>(hit - hits.begin());
-      ++asked;
+      ++tested;
     }
-    return asked == hits.size() ? -std::numeric_limits<double>::infinity() : best;
+    return tested == hits.size() ? -std::numeric_limits<double>::infinity() : best;
   });
   return stays;
 }

@@ -40,14 +40,14 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
   const bool both_sides = at.surface.double_illuminate || finish.diffuse_back != 0,
              plain = is_plain(finish, !ray.gather, subsurface);
   const Rgb pigment = layer.pigment.rgb();
-  const Vec3 normal = layer.normal, raw = at.raw;
+  const Vec3 normal = layer.normal, geometric_normal = at.geometric_normal;
   const double r = state.gathered.radius;
   const auto per_area = static_cast<float>(1.0 / (kPi * r * r));  // of the whole sum, as in POV-Ray
   Rgb sum;
   if (plain && finish.brilliance == 1.0f) {
     const float behind = !both_sides ? 0.0f : at.surface.double_illuminate ? finish.diffuse : finish.diffuse_back;
     add_light(state.gathered.photons,
-              {normal, raw, pigment, shading::diffuse_share(layer.opacity, std::max(finish.diffuse, 0.0f)),
+              {normal, geometric_normal, pigment, shading::diffuse_share(layer.opacity, std::max(finish.diffuse, 0.0f)),
                shading::diffuse_share(layer.opacity, std::max(behind, 0.0f))},
               sum);
     return sum * per_area;
@@ -60,7 +60,7 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
     if (behind && !both_sides) continue;
     const bool back = behind && !at.surface.double_illuminate;
     const float diffuse = back ? finish.diffuse_back : finish.diffuse;
-    const double slant = std::max(0.1, dot(raw, direction));
+    const double slant = std::max(0.1, dot(geometric_normal, direction));
     const Rgb intensity = photon.color() * static_cast<float>(1 / slant);
     if (!plain) {
       sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, diffuse, !ray.gather && !back);

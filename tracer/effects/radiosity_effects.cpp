@@ -136,7 +136,7 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
     if (coefficient <= 0) return Rgb();
     if (!memory.known && bright * coefficient > tracer.bailout(ray)) {
       memory.known = true;
-      const RadiosityQuery query{at.hit.point, at.raw * sign, layer.normal * sign,
+      const RadiosityQuery query{at.hit.point, at.geometric_normal * sign, layer.normal * sign,
                                  static_cast<double>(ray.weight) * bright * coefficient, ray.gather_depth};
       memory.light = state.radiosity->irradiance(query, gatherer, notes);
     }

@@ -86,13 +86,8 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
     const shading::Tracer::InteriorScope scope(tracer_);
     const auto outside = shading::refracted_direction(inner.direction, exit.normal, at_.surface.interior->ior);
     if (!outside) return {};
-    shading::RayState child = ray_;
-    child.ray = {exit.point, *outside};
-    child.primary = false;
+    shading::RayState child = ray_.spawn({exit.point, *outside}, at_.level, ray_.weight * static_cast<float>(share));
     child.refracted = true;
-    child.continuation = false;
-    child.weight *= static_cast<float>(share);
-    child.level = at_.level;
     ++tracer_.statistics().refracted_rays;
     return tracer_.trace(child).rgb();
   }

@@ -1,5 +1,5 @@
-// Sines and cosines of eight numbers up to kMaxNear, within kApproximateError: where the last bits do not matter this
-// is faster than the C library's. Included once for each target by kernels.
+// Sines and cosines of eight numbers up to kMaxApproximate, within kApproximateError: where the last bits do not matter
+// this is faster than the C library's. Included once for each target by kernels.
 #if defined(VERISIM_FUNCTIONS_NEAR_SINE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VERISIM_FUNCTIONS_NEAR_SINE_INL_H
 #undef VERISIM_FUNCTIONS_NEAR_SINE_INL_H

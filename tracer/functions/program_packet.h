@@ -16,10 +16,10 @@ struct ProgramKernels {
   void (*narrow)(std::span<const Instruction> code, std::span<const Call> calls, double* registers,
                  std::uint64_t active);
   // The same, but for sines and cosines, which are within kApproximateError of the library's for numbers up to
-  // kMaxNear, and for angles, which always are.
-  static constexpr double kApproximateError = 0x1p-49, kMaxNear = 1e5;
-  void (*nearly)(std::span<const Instruction> code, std::span<const Call> calls, double* registers,
-                 std::uint64_t active);
+  // kMaxApproximate, and for angles, which always are.
+  static constexpr double kApproximateError = 0x1p-49, kMaxApproximate = 1e5;
+  void (*approximate)(std::span<const Instruction> code, std::span<const Call> calls, double* registers,
+                      std::uint64_t active);
   void (*broad)(std::span<const Instruction> code, std::span<const Call> calls, double* registers,
                 std::uint64_t active);
   void (*wide)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t active);

@@ -106,10 +106,10 @@ TEST(ProgramPacket, OperationsGiveTheSameBitsInPacket) {
   }
 }
 
-TEST(ProgramPacket, NearValuesAreNear) {
+TEST(ProgramPacket, ApproximateValuesAreWithinTheirError) {
   std::mt19937_64 random(10);
   std::vector<double> a = arguments(random);
-  std::erase_if(a, [](double v) { return !(std::fabs(v) <= ProgramKernels::kMaxNear); });
+  std::erase_if(a, [](double v) { return !(std::fabs(v) <= ProgramKernels::kMaxApproximate); });
   ASSERT_GT(a.size(), 10000u);
   std::vector<double> b = a;
   std::shuffle(b.begin(), b.end(), random);
@@ -122,7 +122,7 @@ TEST(ProgramPacket, NearValuesAreNear) {
       for (std::size_t begin = 0; begin + kWidth <= a.size(); begin += kWidth) {
         std::copy_n(&a[begin], kWidth, registers);
         std::copy_n(&b[begin], kWidth, registers + kWidth);
-        kernels->nearly({&instruction, 1}, {}, registers, 255);
+        kernels->approximate({&instruction, 1}, {}, registers, 255);
         for (std::size_t k = 0; k < kWidth; ++k) {
           const double expected = with_code(code, [&]<Code C>() { return apply<C>(a[begin + k], b[begin + k]); });
           ASSERT_LE(std::fabs(registers[kWidth + k] - expected), ProgramKernels::kApproximateError)

@@ -19,7 +19,7 @@ struct alignas(64) RayBatch {
   Ray at(int i) const { return {origin.at(i), direction.at(i)}; }
 };
 
-// Eight rays of a row: lane k is ray first + k. Sets of lanes are bits.
+// Eight rays of a batch: lane k is ray first + k. Sets of lanes are bits.
 struct RayPacket {
   static constexpr int kCount = RayBatch::kStep;
   const RayBatch& rays;

@@ -37,7 +37,7 @@ struct MediaBatch::Question {
   double at;  // 0 to 1 of it
 };
 
-// Of a thread: it would be much to make and to clear for every row.
+// Of a thread: it would be much to make and to clear for every batch.
 struct MediaBatch::Workspace {
   struct RayPart {
     std::uint32_t first, end;       // intervals

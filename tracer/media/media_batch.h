@@ -1,5 +1,5 @@
-// Rays through the same media, side by side (spec 07 section 4.6). What one ray asks of densities and lights hangs on
-// what it was told before; of many rays enough is asked at a time for whole rows.
+// Rays through the same media, side by side (spec 07 section 4.6). What one ray wants to know of densities and lights
+// hangs on what it was told before; of many rays enough is evaluated at a time for whole batches.
 #pragma once
 
 #include "tracer/media/media_mixture.h"

@@ -1,6 +1,5 @@
 // Method 3 of media, level by level (spec 07 4.6): where POV-Ray halves one interval of a ray after the other, all
-// intervals that are halved as often are halved together, so that what is asked of densities and lights may be asked in
-// rows.
+// intervals that are halved as often are halved together, so that densities and lights may be evaluated in batches.
 #pragma once
 
 #include <cmath>

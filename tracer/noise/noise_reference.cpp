@@ -54,7 +54,7 @@ double gradient_noise(const Vec3& p) {
     const int corner[3] = {c & 1, c >> 1 & 1, c >> 2};
     const int x = t.permutation[(i[0] + corner[0]) & 2047];
     const int y = t.permutation[(x + i[1] + corner[1]) & 2047];
-    const double* g = t.gradient_batch[(y + i[2] + corner[2]) & 2047];
+    const double* g = t.gradient_rows[(y + i[2] + corner[2]) & 2047];
     values[c] = 0;
     for (int k = 0; k < 3; ++k) values[c] += g[k + 1] * (r[k] - corner[k]);
   }

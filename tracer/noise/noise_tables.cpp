@@ -21,7 +21,7 @@ void shuffle_hash(NoiseTables& t) {
 
 void fill_gradients(NoiseTables& t) {
   LinearCongruential generator(1);
-  for (auto& batch : t.gradient_batch) {
+  for (auto& row : t.gradient_rows) {
     Vec3 g;
     double squared;
     do {
@@ -32,10 +32,10 @@ void fill_gradients(NoiseTables& t) {
       squared = dot(g, g);
     } while (squared > 1 || squared < 1e-5);
     const double inverse_length = 1 / std::sqrt(squared);
-    batch[0] = 0;
-    batch[1] = g.x * inverse_length;
-    batch[2] = g.y * inverse_length;
-    batch[3] = g.z * inverse_length;
+    row[0] = 0;
+    row[1] = g.x * inverse_length;
+    row[2] = g.y * inverse_length;
+    row[3] = g.z * inverse_length;
   }
   // One cell too many takes part in the shuffle, as in POV-Ray: 0 occurs twice and one value is lost.
   std::uint16_t cells[2049];

@@ -33,8 +33,8 @@ struct NoiseTables {
   alignas(32) double vectors[259][4];
   std::uint32_t random[32768 + 4];  // U * 2^32: MT19937; the first entries repeat at the end, so that three can be read
                                     // without wrapping
-  alignas(32) double gradient_batch[2048][4];  // 0, g_x, g_y, g_z: one corner of generator 3
-  std::uint16_t permutation[2048];             // P of generator 3
+  alignas(32) double gradient_rows[2048][4];  // 0, g_x, g_y, g_z: one corner of generator 3
+  std::uint16_t permutation[2048];            // P of generator 3
 };
 
 // Built on first use.

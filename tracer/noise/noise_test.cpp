@@ -19,9 +19,9 @@ TEST(NoiseTables, MatchTheChecksOfTheSpecification) {
   EXPECT_EQ(t.values[0], -1);
   EXPECT_EQ(t.values[1], 0.604974);
   EXPECT_EQ(t.values[266], 0.566186);
-  EXPECT_NEAR(t.gradient_batch[0][1], 0.604425069426, 1e-12);
-  EXPECT_NEAR(t.gradient_batch[0][2], 0.705260289544, 1e-12);
-  EXPECT_NEAR(t.gradient_batch[0][3], 0.370510808805, 1e-12);
+  EXPECT_NEAR(t.gradient_rows[0][1], 0.604425069426, 1e-12);
+  EXPECT_NEAR(t.gradient_rows[0][2], 0.705260289544, 1e-12);
+  EXPECT_NEAR(t.gradient_rows[0][3], 0.370510808805, 1e-12);
   const int permutation[6] = {0, 1, 386, 3, 649, 1576};
   for (int i = 0; i < 6; ++i) EXPECT_EQ(t.permutation[i], permutation[i]) << i;
 }

@@ -110,7 +110,7 @@ Color PathTracer::radiance(const Ray& ray, Sequence& sequence) {
     if (emitted != Rgb()) {
       double share = 1;  // by the balance heuristic against having aimed at it
       if (!walk.origin.direct) {
-        const double cosine = std::fabs(dot(at.raw, walk.ray.ray.direction));
+        const double cosine = std::fabs(dot(at.geometric_normal, walk.ray.ray.direction));
         const double aimed = cosine > 0 ? scene_.emitters.density(at.surface.object) * walk.origin.distance *
                                               walk.origin.distance / cosine
                                         : 0.0;
@@ -228,7 +228,7 @@ Rgb PathTracer::from_emitter(const shading::RayState& state, const Vec3& from, S
     Rgb through(1);
     const Rgb emitted = layers_of(ray, at, sequence.next(), layers, through);
     if (hit.shape->surface->object == target.object && std::fabs(gone - distance) < 1e-3 * (1 + distance) * 0.1) {
-      const double cosine = std::fabs(dot(at.raw, direction));
+      const double cosine = std::fabs(dot(at.geometric_normal, direction));
       if (!(cosine > 1e-9)) return {};
       const double aimed = scene_.emitters.density(target.object) * distance * distance / cosine;
       return share * emitted * static_cast<float>(1 / (aimed + continued));
@@ -236,7 +236,7 @@ Rgb PathTracer::from_emitter(const shading::RayState& state, const Vec3& from, S
     if (layers.empty() || through == Rgb()) return {};
     const scene::Interior& x = *at.surface.interior;
     const shading::Tracer::Refraction refraction = tracer_.cross_surface(ray, x);
-    if (std::fabs(refraction.ratio - 1) >= kEpsilon || std::fabs(refraction.dispersion - 1) >= kEpsilon) return {};
+    if (!refraction.straight() || refraction.disperses()) return {};
     share *= through * x.refraction * tracer_.fade_factor(ray.interiors, x, hit.t);
     ray.interiors = refraction.interiors, ray.hollow = refraction.hollow;
     ray.ray.origin = hit.point;

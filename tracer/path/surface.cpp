@@ -25,12 +25,10 @@ double power_density(double cosine, double exponent) {
 
 Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at, double choice, Layers& layers,
                           Rgb& through) {
-  const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
   Rgb emitted;
   scene_.data.world.weighted_textures(at.hit, at.inside_hit, tracer_.weighted_);
-  const textures::CompiledTexture* texture =
-      at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+  const textures::CompiledTexture* texture = at.surface.texture_within(at.inside_hit);
   if (!tracer_.weighted_.empty()) {  // one of them, as often as it weighs
     double total = 0;
     for (const auto& entry : tracer_.weighted_) total += entry.weight;
@@ -50,26 +48,23 @@ Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at,
 
 void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit& at,
                                const textures::CompiledTexture& texture, const Vec3& p,
-                               const shading::Tracer::Frame* frame, double choice, Layers& layers, Rgb& emitted,
+                               const shading::TextureFrame* frame, double choice, Layers& layers, Rgb& emitted,
                                Rgb& through) {
   if (texture.patterned()) {
-    std::vector<textures::WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
-    Vec3 warped;
-    const auto chosen = textures::select(texture, p, &at.texture_point, storage, warped);
+    const shading::TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frame);
     double total = 0;
-    for (const auto& entry : chosen) total += entry.weight;
+    for (std::size_t i = 0; i < parts.size(); ++i) total += parts[i].weight;
     double left = choice * total;
-    const textures::WeightedTexture* one = nullptr;
-    for (const auto& entry : chosen) {
-      if (entry.weight <= 0) continue;
-      one = &entry;
-      if (left < entry.weight) break;
-      left -= entry.weight;
+    textures::WeightedTexture one{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i].weight <= 0) continue;
+      one = parts[i];
+      if (left < one.weight) break;
+      left -= one.weight;
     }
-    if (!one) return;
-    const shading::Tracer::Frame inner{&texture, frame};
-    gather_layers(ray, at, *one->texture, warped, &inner, std::clamp(left / one->weight, 0.0, 1.0), layers, emitted,
-                  through);
+    if (!one.texture) return;
+    gather_layers(ray, at, *one.texture, parts.point, &parts.frame, std::clamp(left / one.weight, 0.0, 1.0), layers,
+                  emitted, through);
     return;
   }
   const shading::SceneData& data = scene_.data;
@@ -194,7 +189,7 @@ Rgb PathTracer::visible(const shading::RayState& eye, const shapes::Surface* lit
 Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit& at, const Layers& layers,
                          const Vec3& direction) {
   const Vec3& view = ray.ray.direction;
-  const bool outside = dot(direction, at.raw) > 0;
+  const bool outside = dot(direction, at.geometric_normal) > 0;
   Rgb sum;
   for (const Layer& l : layers) {
     const scene::Finish& finish = l.layer->finish;
@@ -298,7 +293,8 @@ bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& laye
   walk.weight *= response(walk.ray, at, layers, direction) * static_cast<float>(total / broad / chance);
   if (walk.weight == Rgb()) return false;
   walk.ray.ray = {at.hit.point, direction};
-  if (dot(direction, at.raw) < 0) {  // scattered to the other side: the ray is then inside, as one that passes
+  if (dot(direction, at.geometric_normal) <
+      0) {  // scattered to the other side: the ray is then inside, as one that passes
     const shading::Tracer::Refraction refraction = tracer_.cross_surface(walk.ray, *at.surface.interior);
     walk.ray.interiors = refraction.interiors, walk.ray.hollow = refraction.hollow;
   }
@@ -310,7 +306,7 @@ bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& laye
 
 void PathTracer::mirror(Walk& walk, const shading::SurfaceHit& at, const Layer& layer) {
   const Vec3 d = walk.ray.ray.direction;
-  walk.ray.ray = {at.hit.point, shading::reflected_direction(d, layer.normal, at.raw)};
+  walk.ray.ray = {at.hit.point, shading::reflected_direction(d, layer.normal, at.geometric_normal)};
   if (const scene::Finish& finish = layer.layer->finish; finish.irid > 0)
     walk.weight *=
         tracer_.film_tint(finish, tracer_.film_thickness(finish, at.hit.point),
@@ -324,9 +320,8 @@ bool PathTracer::pass_through(Walk& walk, shading::SurfaceHit& at, const Layer& 
   const scene::Interior& x = *at.surface.interior;
   const shading::Tracer::Refraction refraction = tracer_.cross_surface(walk.ray, x);
   walk.weight *= tracer_.fade_factor(walk.ray.interiors, x, at.hit.t) * x.refraction;
-  const bool straight = std::fabs(refraction.ratio - 1) < kEpsilon,
-             dispersive = std::fabs(refraction.dispersion - 1) >= kEpsilon;
-  if (straight && !dispersive) {
+  const bool dispersive = refraction.disperses();
+  if (refraction.straight() && !dispersive) {
     walk.ray.ray.origin = at.hit.point;  // the vertex before stays the origin
     ++tracer_.statistics().transmitted_rays;
   } else {
@@ -347,8 +342,8 @@ bool PathTracer::pass_through(Walk& walk, shading::SurfaceHit& at, const Layer& 
     walk.origin = {};
     ++tracer_.statistics().refracted_rays;
   }
-  walk.ray.interiors = refraction.interiors, walk.ray.hollow = refraction.hollow;
-  walk.ray.primary = false, walk.ray.refracted = true;
+  refraction.enter(walk.ray);
+  walk.ray.primary = false;
   return true;
 }
 

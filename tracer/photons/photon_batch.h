@@ -17,7 +17,7 @@ struct alignas(64) PhotonBatch {
 
 // A layer whose brilliance is 1.
 struct PhotonSurface {
-  Vec3 normal, raw;  // to shade with; geometric
+  Vec3 normal, geometric_normal;  // normal: to shade with
   Rgb pigment;
   double front, behind;  // opacity * diffuse coefficient on the side that is turned to a photon's light, and on the
                          // other; 0: nothing is added

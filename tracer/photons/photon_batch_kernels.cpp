@@ -25,14 +25,14 @@ void shade_channel(std::size_t end, float pigment, const double* share, const fl
 }
 
 void shade(const PhotonSurface& surface, std::size_t count, PhotonBatch& batch) {
-  const Vec3 &n = surface.normal, &raw = surface.raw;
+  const Vec3 &n = surface.normal, &g = surface.geometric_normal;
   const double front = surface.front, behind = surface.behind;
   const std::size_t end = (count + 7) / 8 * 8;
   double share[PhotonBatch::kMax];
   float intensity[PhotonBatch::kMax];
   for (std::size_t i = 0; i < end; ++i) {
     const double cosine = n.x * batch.x[i] + n.y * batch.y[i] + n.z * batch.z[i];
-    const double slant = raw.x * batch.x[i] + raw.y * batch.y[i] + raw.z * batch.z[i];
+    const double slant = g.x * batch.x[i] + g.y * batch.y[i] + g.z * batch.z[i];
     intensity[i] = static_cast<float>(1 / (slant > 0.1 ? slant : 0.1));
     share[i] = (cosine < kEpsilon ? behind : front) * std::fabs(cosine);
   }

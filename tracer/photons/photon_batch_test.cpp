@@ -40,7 +40,7 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
     p.set_direction(direction());
     c.photons.push_back(p);
     const double cosine = dot(c.surface.normal, p.direction()),
-                 slant = std::max(0.1, dot(c.surface.raw, p.direction()));
+                 slant = std::max(0.1, dot(c.surface.geometric_normal, p.direction()));
     const float coefficient = cosine < kEpsilon ? back : diffuse;
     const Rgb intensity = p.color() * static_cast<float>(1 / slant);
     c.expected.push_back(coefficient > 0

@@ -90,16 +90,16 @@ TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
   const Vec3 up(0, 1, 0);
   PhotonMap::Gathered flat, solid;
   int overlooked = 0;
-  for (int batch = 0; batch < 20; ++batch) {
+  for (int row = 0; row < 20; ++row) {
     for (int column = 0; column < 20; ++column) {
-      const Vec3 x(-0.2 + 0.04 * column, 0.01, -0.4 + 0.04 * batch);
+      const Vec3 x(-0.2 + 0.04 * column, 0.01, -0.4 + 0.04 * row);
       for (const Vec3* normal : {&up, static_cast<const Vec3*>(nullptr)}) {
         PlainSearch plain{map, x, normal, 60, 0.3 * 0.3};
         const std::vector<std::uint32_t> expected = plain.photons();
         PhotonMap::Gathered& found = normal ? flat : solid;
         map.gather(x, normal, {.minimum = 0, .maximum = 60}, found);
-        ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << batch << ' ' << column;
-        ASSERT_EQ(found.numbers, expected) << batch << ' ' << column;
+        ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << row << ' ' << column;
+        ASSERT_EQ(found.numbers, expected) << row << ' ' << column;
         for (std::uint32_t i = 0; i < map.size(); ++i) {
           const bool near = plain.squared_distance(map.positions()[i]) < plain.limit;
           overlooked += near && !std::binary_search(expected.begin(), expected.end(), i);

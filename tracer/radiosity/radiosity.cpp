@@ -148,7 +148,7 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
   const IrradianceSample* samples[IrradianceBatch::kMax];
   int count = 0;
   contributions_.clear();
-  const auto weigh_row = [&] {
+  const auto weigh_batch = [&] {
     kernels.weigh(weights, count, batch);
     for (int i = 0; i < count; ++i) {
       if (batch.weight[i] > IrradianceBatch::kNone)
@@ -164,9 +164,9 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
     batch.mean_distance[count] = s.mean_distance;
     batch.nearest_distance[count] = s.nearest_distance;
     samples[count++] = &s;
-    if (count == IrradianceBatch::kMax) weigh_row();
+    if (count == IrradianceBatch::kMax) weigh_batch();
   });
-  if (count > 0) weigh_row();
+  if (count > 0) weigh_batch();
   // The last bit of the sum hangs on the order.
   std::ranges::sort(contributions_, [&](const Contribution& a, const Contribution& b) {
     return cache.comes_before(*a.sample, *b.sample);

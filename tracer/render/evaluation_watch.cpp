@@ -5,8 +5,7 @@
 
 #include "tracer/film/errors.h"
 #include "tracer/shading/tracer.h"
-#include "tracer/textures/evaluation/missing_surface.h"
-#include "tracer/textures/normals/unusable_normal.h"
+#include "tracer/textures/evaluation/evaluation_faults.h"
 
 namespace verisim::render {
 

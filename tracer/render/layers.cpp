@@ -8,12 +8,6 @@ namespace {
 using textures::CompiledTexture;
 using textures::WeightedTexture;
 
-// Enclosing patterned textures, innermost first: normals are perturbed in their frames (spec 05 10.1).
-struct Frame {
-  const CompiledTexture* texture;
-  const Frame* outer;
-};
-
 struct Look {
   Vec3 normal{0, 0, 0};
   Rgb albedo;
@@ -34,32 +28,31 @@ class FirstSurface {
     Look result;
     scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
     if (weighted_.empty()) {
-      const auto* texture =
-          at.inside_hit && at.surface.interior_texture ? at.surface.interior_texture : at.surface.texture;
-      if (texture) add(at, *texture, p, nullptr, 1, result);
+      if (const auto* texture = at.surface.texture_within(at.inside_hit)) add(at, *texture, p, nullptr, 1, result);
     } else {
       for (const WeightedTexture& entry : weighted_) add(at, *entry.texture, p, nullptr, entry.weight, result);
     }
     const double size = length(result.normal);
-    result.normal = size > kEpsilon ? result.normal / size : at.raw;
+    result.normal = size > kEpsilon ? result.normal / size : at.geometric_normal;
     return result;
   }
 
  private:
-  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, const Frame* frame, float weight,
-           Look& out) {
+  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, const shading::TextureFrame* frame,
+           float weight, Look& out) {
     if (texture.patterned()) {
-      std::vector<WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
-      Vec3 warped;
-      const Frame inner{&texture, frame};
-      for (const WeightedTexture& entry : textures::select(texture, p, &at.texture_point, storage, warped))
-        if (entry.weight != 0) add(at, *entry.texture, warped, &inner, weight * entry.weight, out);
+      const shading::TextureParts parts(selection_, texture, p, at.texture_point, frame);
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        if (const WeightedTexture entry = parts[i]; entry.weight != 0)
+          add(at, *entry.texture, parts.point, &parts.frame, weight * entry.weight, out);
       return;
     }
     Rgb filter(1);
     bool top = true;
     for (const textures::CompiledLayer& layer : texture.layers) {
-      const Vec3 normal = perturbed(at, layer, p, frame);
+      const Vec3 normal =
+          layer.normal ? shading::perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frame)
+                       : at.geometric_normal;
       if (top) out.normal += normal * static_cast<double>(weight);
       top = false;
       Color c;
@@ -69,20 +62,8 @@ class FirstSurface {
     }
   }
 
-  Vec3 perturbed(shading::SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p,
-                 const Frame* frame) const {
-    if (!layer.normal) return at.raw;
-    const auto enter = [&](const auto& self, const Frame* f) -> Vec3 {
-      return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw;
-    };
-    at.texture_point.normal = enter(enter, frame);
-    Vec3 n = textures::perturb(*layer.normal, p, at.texture_point);
-    for (const Frame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
-    return n;
-  }
-
   const shading::SceneData& scene_;
-  std::vector<WeightedTexture> weighted_;
+  std::vector<WeightedTexture> weighted_, selection_;
 };
 
 // The ray of a position, without focal blur; of a mesh camera its first.

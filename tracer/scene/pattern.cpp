@@ -22,6 +22,17 @@ PatternParams default_params(PatternKind kind) {
   return NoParams{};
 }
 
+std::span<const Color> built_in_list(PatternKind kind) {
+  static constexpr Color kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kYellow{1, 1, 0}, kCyan{0, 1, 1},
+      kMagenta{1, 0, 1};
+  static constexpr Color kBrick[] = {{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}}, kFromBlue[] = {kBlue, kGreen, kRed},
+                         kFromRed[] = {kRed, kGreen, kBlue, kYellow, kCyan, kMagenta};
+  const std::span<const Color> colors = kind == PatternKind::brick ? std::span<const Color>(kBrick)
+                                        : info(kind).list > 3      ? std::span<const Color>(kFromRed)
+                                                                   : std::span<const Color>(kFromBlue);
+  return colors.first(static_cast<std::size_t>(info(kind).list));
+}
+
 void Pattern::prepend(Transforms steps) {
   const bool merges = !warps.empty() && std::holds_alternative<Transform>(warps.front());
   if (!merges) warps.prepend(*steps.front());

@@ -47,6 +47,9 @@ struct ProjectionWarp {
 struct CubicWarp {};
 using Warp = std::variant<Transform, TurbulenceWarp, RepeatWarp, BlackHoleWarp, ProjectionWarp, CubicWarp>;
 
+// The colours of checker, brick ... where a scene writes none (spec 05 4.3); empty: its pattern has no list.
+std::span<const Color> built_in_list(PatternKind kind);
+
 // Transformations one after the other; at least one.
 using Transforms = std::span<const Transform* const>;
 

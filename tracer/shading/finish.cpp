@@ -10,10 +10,10 @@ double acos_clamped(double c) { return std::acos(std::clamp(c, -1.0, 1.0)); }
 
 }  // namespace
 
-Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw) {
+Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& geometric_normal) {
   Vec3 r = mirrored(d, normal);
-  const double below = dot(r, raw);
-  if (below < 0) r = dot(r, normal) < 0 ? mirrored(d, raw) : r - raw * (2 * below);
+  const double below = dot(r, geometric_normal);
+  if (below < 0) r = dot(r, normal) < 0 ? mirrored(d, geometric_normal) : r - geometric_normal * (2 * below);
   return normalize(r);
 }
 

@@ -12,9 +12,9 @@
 
 namespace verisim::shading {
 
-// The mirror direction about the layer's normal, corrected where it would point below the raw surface; unit (spec
+// The mirror direction about the layer's normal, corrected where it would point below the geometric surface; unit (spec
 // 06 5.3).
-Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw);
+Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& geometric_normal);
 // By Snell's law, `ratio` that of the refractive indices before and behind the surface; as long as `d`, which is a unit
 // vector, but for rounding. None: all light is reflected.
 std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& normal, double ratio);

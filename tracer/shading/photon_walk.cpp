@@ -80,8 +80,7 @@ void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
   const auto meet_at = [&](const textures::CompiledTexture* texture, float weight) {
     if (texture) meet_texture(packet, at, *texture, at.pattern_point(), nullptr, weight, what);
   };
-  if (weighted.empty())
-    meet_at(at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f);
+  if (weighted.empty()) meet_at(surface.texture_within(at.inside_hit), 1.0f);
   for (const auto& entry : weighted) {
     if (entry.weight >= shot_.adc_bailout) meet_at(entry.texture, entry.weight);
   }
@@ -89,22 +88,20 @@ void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
 }
 
 void PhotonWalk::meet_texture(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture,
-                              const Vec3& p, const Tracer::Frame* frame, float share, const Encounter& what) {
+                              const Vec3& p, const TextureFrame* frame, float share, const Encounter& what) {
   if (!texture.patterned()) {
     if (what.stores) store(packet, at.hit.point, share);
     if (what.scatters()) scatter(packet, at, texture, p, frame, share, what);
     return;
   }
-  std::vector<textures::WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
-  Vec3 warped;
-  const auto chosen = textures::select(texture, p, &at.texture_point, storage, warped);
+  const TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frame);
   float total = 0;
-  for (const auto& entry : chosen) total += entry.weight;
-  const Tracer::Frame inner{&texture, frame};
-  for (const auto& entry : chosen) {
+  for (std::size_t i = 0; i < parts.size(); ++i) total += parts[i].weight;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const textures::WeightedTexture entry = parts[i];
     if (entry.weight == 0 && !texture.average) continue;  // of an average, black photons are stored, too
     const float part = texture.average && total != 0 ? entry.weight / total : entry.weight;
-    meet_texture(packet, at, *entry.texture, warped, &inner, share * part, what);
+    meet_texture(packet, at, *entry.texture, parts.point, &parts.frame, share * part, what);
   }
 }
 
@@ -114,7 +111,7 @@ void PhotonWalk::store(const Packet& packet, const Vec3& point, float share) {
 }
 
 void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                         const Tracer::Frame* frame, float share, const Encounter& what) {
+                         const TextureFrame* frame, float share, const Encounter& what) {
   const Vec3& d = packet.ray.ray.direction;
   std::vector<Layer> layers;
   Rgb filter(1);
@@ -162,11 +159,7 @@ void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::C
 PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction,
                                         const Rgb& color, float weight) {
   Packet child = packet;
-  child.ray.ray = {at.hit.point, direction};
-  child.ray.primary = false;
-  child.ray.continuation = false;
-  child.ray.level = at.level;
-  child.ray.weight *= weight;
+  child.ray = packet.ray.spawn({at.hit.point, direction}, at.level, packet.ray.weight * weight);
   child.color *= color;
   return child;
 }
@@ -176,9 +169,7 @@ bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& norma
   const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, *at.surface.interior);
   if (packet.passed || (refraction.straight() && !refraction.disperses())) {
     Packet child = child_of(packet, at, packet.ray.ray.direction, through.filter, through.weight);
-    child.ray.interiors = refraction.interiors;
-    child.ray.hollow = refraction.hollow;
-    child.ray.refracted = true;
+    refraction.enter(child.ray);
     child.ray.continuation = true;
     follow(child);
     return false;
@@ -209,16 +200,15 @@ bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, 
     return true;
   }
   Packet child = child_of(packet, at, *direction, through.filter, through.weight);
-  child.ray.interiors = refraction.interiors;
-  child.ray.hollow = refraction.hollow;
-  child.ray.refracted = true;
+  refraction.enter(child.ray);
   child.ray.wavelength = wavelength;
   follow(child);
   return false;
 }
 
 void PhotonWalk::reflect(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& color, float weight) {
-  Packet child = child_of(packet, at, reflected_direction(packet.ray.ray.direction, normal, at.raw), color, weight);
+  Packet child =
+      child_of(packet, at, reflected_direction(packet.ray.ray.direction, normal, at.geometric_normal), color, weight);
   child.ray.reflected = true;
   child.passed = false;
   follow(child);

@@ -41,6 +41,14 @@ struct RayState {
   // Of the surface that it meets, 1 for what the camera sees: max_trace_level counts these.
   int surface_level() const { return level + (continuation ? 0 : 1); }
 
+  // What goes on from a surface on this ray's way.
+  RayState spawn(const Ray& onward, int level_of_surface, float child_weight) const {
+    RayState child = *this;
+    child.ray = onward, child.level = level_of_surface, child.weight = child_weight;
+    child.primary = child.continuation = false;
+    return child;
+  }
+
   shapes::RayKind kind() const {
     using shapes::RayKind;
     if (reflected) return gather ? RayKind::radiosity_reflected : RayKind::reflected;

@@ -26,6 +26,8 @@ class SceneData {
   std::vector<Rainbow> rainbows;
   bool fog = false;
   const Effects* effects = nullptr;  // set by render() when the scene uses any
+  bool air_shows() const { return fog || !rainbows.empty() || (effects && effects->atmosphere); }
+  bool any_media() const { return effects && (effects->media_in_interiors || effects->atmosphere); }
 
   // Global lights first, in file order; then those of light groups.
   const std::vector<Light>& lights() const { return lights_; }

@@ -107,10 +107,10 @@ TEST(Finish, FresnelLimits) {
 }
 
 TEST(Finish, ReflectionsStayAboveTheSurface) {
-  const Vec3 raw(0, 0, -1), d = normalize(Vec3(1, 0, 0.05));
+  const Vec3 geometric_normal(0, 0, -1), d = normalize(Vec3(1, 0, 0.05));
   for (double tilt = -1.5; tilt <= 1.5; tilt += 0.01) {
-    const Vec3 normal(std::sin(tilt), 0, -std::cos(tilt)), r = reflected_direction(d, normal, raw);
-    EXPECT_GE(dot(r, raw), -1e-12) << tilt;
+    const Vec3 normal(std::sin(tilt), 0, -std::cos(tilt)), r = reflected_direction(d, normal, geometric_normal);
+    EXPECT_GE(dot(r, geometric_normal), -1e-12) << tilt;
     EXPECT_NEAR(length(r), 1, 1e-12);
   }
 }

@@ -43,12 +43,12 @@ SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& dir
                        int child_level)
     : hit(h),
       surface(*h.shape->surface),
-      raw(normal),
-      inside_hit(dot(raw, direction) > 0),
+      geometric_normal(normal),
+      inside_hit(dot(geometric_normal, direction) > 0),
       light_cache(cache),
       level(child_level) {
-  if (inside_hit) raw = -raw;
-  texture_point = {h.point, raw, direction,
+  if (inside_hit) geometric_normal = -geometric_normal;
+  texture_point = {h.point, geometric_normal, direction,
                    [](const void* context) {
                      const auto& seen = *static_cast<const shapes::Hit*>(context);
                      return seen.shape->uv(seen);
@@ -70,7 +70,7 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
   SurfaceHit at(hit, ray.ray.direction, lights.begin(), ray.surface_level());
   const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
-  const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+  const auto* texture = surface.texture_within(at.inside_hit);
   // Nested hits use the same list, so its entries are copied to this call's part of the selection stack.
   weighted_.clear();
   if (surface.shows_several()) scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
@@ -97,37 +97,25 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
 }
 
 Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture,
-                            const Vec3& p, const Frame* frame) {
+                            const Vec3& p, const TextureFrame* frame) {
   if (!texture.patterned())
     return scene_.quality <= 1 ? shade_unlit(at, texture, p) : shade_layers(ray, at, texture, p, frame);
-  const StackScope<textures::WeightedTexture> scope(selection_);
-  selection_.resize(scope.begin() + std::max<std::size_t>(texture.map.size(), 2));
-  Vec3 warped;
-  const auto chosen =
-      textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(scope.begin()), warped);
-  const std::size_t count = chosen.size(), first = static_cast<std::size_t>(chosen.data() - selection_.data());
-  const Frame inner{&texture, frame};
+  const TextureParts parts(selection_, texture, p, at.texture_point, frame);
   Color sum;
-  for (std::size_t i = 0; i < count; ++i) {
-    const textures::WeightedTexture entry = selection_[first + i];
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const textures::WeightedTexture entry = parts[i];
     // POV-Ray shades what does not count in an average: it draws numbers.
     if (entry.weight == 0 && !(texture.average && random_.replay())) continue;
     const ToldTexture told(observer_, entry.weight);
-    sum += scaled(shade_texture(ray, at, *entry.texture, warped, &inner), entry.weight);
+    sum += scaled(shade_texture(ray, at, *entry.texture, parts.point, &parts.frame), entry.weight);
   }
   return sum;
 }
 
-// The layer's normal in world space; every evaluation leaves its trace in the texture point (spec 05 3.4, 10.1).
-Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame) {
-  if (!layer.normal || scene_.quality < 8) return at.raw;
-  const auto enter = [&](const auto& self, const Frame* f) -> Vec3 {  // outermost first
-    return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw;
-  };
-  at.texture_point.normal = frame ? enter(enter, frame) : at.raw;
-  Vec3 n = textures::perturb(*layer.normal, p, at.texture_point);
-  for (const Frame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
-  return n;
+Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p,
+                          const TextureFrame* frame) {
+  if (!layer.normal || scene_.quality < 8) return at.geometric_normal;
+  return perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frame);
 }
 
 // Quality 0 and 1: the colour of the lowest layer reached.
@@ -147,7 +135,7 @@ Color Tracer::shade_unlit(SurfaceHit& at, const textures::CompiledTexture& textu
 
 // The compositing equation of spec 06 3.3.
 Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                           const Frame* frame) {
+                           const TextureFrame* frame) {
   const StackScope<ShadedLayer> layers(layers_);
   const Vec3& d = ray.ray.direction;
   const double adc = bailout(ray);

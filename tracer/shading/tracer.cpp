@@ -26,16 +26,14 @@ Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::at
       in_order_(random.replay() || scene.world.filters_twice()),
       coherent_(scene.world),
       effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {
-  const bool media = scene.effects && (scene.effects->media_in_interiors || scene.effects->atmosphere);
   lights_in_batches_ = scene.quality >= 4 && !in_order_ && !scene.world.has_transparent_shadows();
   for (std::size_t i = 0; i < scene.global_lights(); ++i) {
     const Light& light = scene.lights()[i];
     lights_in_batches_ =
-        lights_in_batches_ && !light.projector() && !((scene.fog || media) && light.media_attenuation());
+        lights_in_batches_ && !light.projector() && !((scene.fog || scene.any_media()) && light.media_attenuation());
     area_lights_ = area_lights_ || light.area() || light.area_illumination();
   }
-  has_volumes_ =
-      scene.quality >= 9 && (!scene.rainbows.empty() || scene.fog || (scene.effects && scene.effects->atmosphere));
+  has_volumes_ = scene.quality >= 9 && scene.air_shows();
 }
 
 RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {

@@ -14,6 +14,7 @@
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"
 #include "tracer/shading/scene_data.h"
+#include "tracer/shading/texture_parts.h"
 #include "tracer/shading/shuffle.h"
 
 namespace verisim::path {
@@ -39,8 +40,8 @@ struct SurfaceHit {
 
   const shapes::Hit& hit;
   const shapes::Surface& surface;
-  Vec3 raw;         // geometric normal towards the viewer
-  bool inside_hit;  // the surface was hit from within
+  Vec3 geometric_normal;  // towards the viewer
+  bool inside_hit;        // the surface was hit from within
   textures::SurfacePoint texture_point;
   std::size_t light_cache;   // where this hit's results per global light start
   bool keeps_lights = true;  // several layers may ask for them
@@ -169,10 +170,6 @@ class Tracer {
   friend class Wavefront;         // camera rays shaded together
   friend class PhotonWalk;        // photons cross surfaces by the same rules
   friend class path::PathTracer;  // and so do paths
-  struct Frame {                  // enclosing patterned textures, innermost first
-    const textures::CompiledTexture* texture;
-    const Frame* outer;
-  };
   struct ShadedLayer {
     const textures::CompiledLayer* layer;
     Color pigment;
@@ -192,6 +189,7 @@ class Tracer {
     int samples;
     bool straight() const { return std::fabs(ratio - 1) < kEpsilon; }
     bool disperses() const { return !(std::fabs(dispersion - 1) < kEpsilon); }
+    void enter(RayState& ray) const { ray.interiors = interiors, ray.hollow = hollow, ray.refracted = true; }
   };
 
   // ---- tracer.cpp
@@ -213,16 +211,16 @@ class Tracer {
   Color shade(const RayState& ray, const shapes::Hit& hit);
   Color shade_surface(const RayState& ray, const shapes::Hit& hit);  // without the media on the way to it
   Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                      const Frame* frame);
+                      const TextureFrame* frame);
   Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                     const Frame* frame);
-  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame);
+                     const TextureFrame* frame);
+  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const TextureFrame* frame);
   Color shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p);
 
   // ---- direct_light.cpp
   // Adds what lights add to a layer, one after another: what the layer sends out by itself comes first, as in POV-Ray.
   void add_direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum);
-  // All global lights may be asked with one row of shadow rays from the point.
+  // All global lights may be tested by one batch of shadow rays from the point.
   bool lights_go_together(const RayState& ray) const;
   void add_lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer, Rgb& sum);
   // What arrives before shadows are known; false: nothing that counts. `back`: on the side that faces away.
@@ -270,14 +268,13 @@ class Tracer {
   // The first surface of the remembered object, whatever lies before it. True when nothing passes.
   bool filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance, RayState& ray,
                             Rgb& color);
-  // What is left of a shadow ray's way behind the last surface that it met.
-  struct LastStretch {
+  // A shadow ray as far as the light, or as what the light is projected through: that is `beyond` from the light.
+  struct ShadowSegment {
     Ray ray;
-    double length = 0;
+    double length = 0, beyond = 0;
   };
-  // `left`: takes the last stretch, whose atmosphere then does not act here.
-  void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color,
-                   LastStretch* left = nullptr);
+  // `rest`: takes what lies behind the last surface; its atmosphere then does not act here.
+  void cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& color, ShadowSegment* rest = nullptr);
   // Fog or media may take from this light on its way.
   bool light_on_way_changes(const Light& light) const;
   // Shadow rays that start there meet nothing but opaque objects; null: from anywhere.
@@ -285,12 +282,9 @@ class Tracer {
     return entry ? entry->only_opaque : !scene_.world.has_transparent_shadows();
   }
   // No transparent object is on the way, so that any one decides.
-  bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
-  // `first`: the nearest hit, if it is known that there is one; `left`: as above; `behind`: how far the light lies
-  // behind the end, for what acts on the last stretch.
-  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                    const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first = nullptr,
-                    LastStretch* left = nullptr, double behind = 0);
+  bool any_object_decides(const accel::WorldEntry* entry, const Ray& ray, double length) const;
+  void filter_along(const ShadowQuery& query, ShadowSegment segment, const accel::WorldEntry* entry, Rgb& color,
+                    ShadowSegment* rest);
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
@@ -299,13 +293,13 @@ class Tracer {
   template <class Opaque, class Mixed>
   void by_cells(const Light& light, const RayState& eye, const ShadowBatch& batch, Opaque&& opaque, Mixed&& mixed);
   void dim(const Light& light, const RayState& eye, const int* index, int count, ShadowBatch& batch);
-  void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
-                  ShadowBatch& batch);
+  void filter_batch(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
+                    int count, ShadowBatch& batch);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   // What of the light from `towards` passes a surface's textures.
   Rgb filter_at(const shapes::Hit& hit, const Vec3& towards);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
-                     const Frame* frame);
+                     const TextureFrame* frame);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool to_surface, Rgb& color);
 
   // ---- area_light.cpp
@@ -313,10 +307,10 @@ class Tracer {
   struct AreaGrid;
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
-  Rgb area_sample(AreaGrid& grid, int column, int batch);
-  void area_last_stretch(const AreaGrid& grid, Rgb& color);
+  Rgb area_sample(AreaGrid& grid, int column, int row);
+  void area_volumes(const AreaGrid& grid, Rgb& color);
   // The light that all of them let arrive; nothing: they differ.
-  std::optional<Rgb> ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
+  std::optional<Rgb> ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows);
   std::optional<Rgb> ask_first_corners(const AreaGrid& grid);
 
   const SceneData& scene_;
@@ -349,7 +343,7 @@ class Tracer {
   };
   Memory memory_of_others_;  // of gathered rays while others are traced, and of those while rays are gathered
   std::vector<CornerResult> corners_;
-  Shuffle area_batches_, area_columns_;
+  Shuffle area_rows_, area_columns_;
   std::vector<int>
       area_lines_[2];  // the columns and rows that the quartering of a grid of these sizes and levels asks for first
   std::array<int, 3> area_lines_of_{};

@@ -14,15 +14,9 @@ Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& t
   const Refraction refraction = cross_surface(ray, x);
   Color seen;
   if (refraction.straight() && !refraction.disperses()) {
-    RayState child = ray;
-    child.ray.origin = at.hit.point;
-    child.interiors = refraction.interiors;
-    child.hollow = refraction.hollow;
-    child.primary = false;
-    child.refracted = true;
+    RayState child = ray.spawn({at.hit.point, ray.ray.direction}, at.level, weight);
+    refraction.enter(child);
     child.continuation = true;
-    child.weight = weight;
-    child.level = at.level;
     ++statistics_.transmitted_rays;
     seen = trace(child);
   } else if (!refraction.disperses()) {
@@ -83,17 +77,10 @@ Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLay
     total_reflection = true;
     return reflect(ray, at, top, weight);
   }
-  RayState child = ray;
-  child.ray = {at.hit.point, *direction};
-  child.interiors = refraction.interiors;
-  child.hollow = refraction.hollow;
-  child.primary = false;
-  child.refracted = true;
-  child.continuation = false;
+  RayState child = ray.spawn({at.hit.point, *direction}, at.level, weight);
+  refraction.enter(child);
   child.wavelength = wavelength;
   child.monochromatic = wavelength > 0;
-  child.weight = weight;
-  child.level = at.level;
   ++statistics_.refracted_rays;
   return trace(child);
 }
@@ -114,13 +101,9 @@ Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLa
 
 Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight) {
   const Vec3& d = ray.ray.direction;
-  RayState child = ray;
-  child.ray = {at.hit.point, reflected_direction(d, layer.normal, at.raw)};
-  child.primary = false;
+  RayState child =
+      ray.spawn({at.hit.point, reflected_direction(d, layer.normal, at.geometric_normal)}, at.level, weight);
   child.reflected = true;
-  child.continuation = false;
-  child.weight = weight;
-  child.level = at.level;
   ++statistics_.reflected_rays;
   Rgb seen = trace(child).rgb();
   if (const scene::Finish& finish = layer.layer->finish; finish.irid > 0)

@@ -1,4 +1,4 @@
-// A interval of this thread's hit list: queries nest (clips, bounds, CSG) and each takes the end of one growing list,
+// A part of this thread's hit list: queries nest (clips, bounds, CSG) and each takes the end of one growing list,
 // so nothing is allocated per ray.
 #pragma once
 

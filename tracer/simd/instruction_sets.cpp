@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view kNames[kInstructionSets] = {"baseline", "sse4", "avx2", "avx512"};
 
 // By the environment; empty: none is asked for.
-std::string_view asked_for() {
+std::string_view requested() {
   const char* name = std::getenv("VERISIM_INSTRUCTION_SET");
   return name ? name : "";
 }
@@ -34,7 +34,7 @@ InstructionSet find_best() {
 InstructionSet find_best_allowed() {
   const InstructionSet best = find_best();
   for (int set = 0; set < best; ++set)
-    if (asked_for() == kNames[set]) return static_cast<InstructionSet>(set);
+    if (requested() == kNames[set]) return static_cast<InstructionSet>(set);
   return best;
 }
 
@@ -46,13 +46,13 @@ InstructionSet best_instruction_set() {
 }
 
 std::string wrong_instruction_set() {
-  if (asked_for().empty()) return "";
+  if (requested().empty()) return "";
   std::string known;
   for (int set = 0; set <= find_best(); ++set) {
-    if (asked_for() == kNames[set]) return "";
+    if (requested() == kNames[set]) return "";
     known += (set > 0 ? ", " : "") + std::string(kNames[set]);
   }
-  return "VERISIM_INSTRUCTION_SET is '" + std::string(asked_for()) + "'; this machine can run " + known;
+  return "VERISIM_INSTRUCTION_SET is '" + std::string(requested()) + "'; this machine can run " + known;
 }
 
 }  // namespace verisim::simd

@@ -138,7 +138,7 @@ class Estimator {
 
   // A place where light enters that leaves at the point.
   struct Entrance {
-    Vec3 point, normal;  // raw
+    Vec3 point, normal;  // geometric
     Vec3 inward;         // the direction it was found in
     double weight;
     Channels reflected;  // share that leaves
@@ -199,7 +199,7 @@ class Estimator {
   // The same mean with fewer rays: directions of a shifted Fibonacci lattice about the normal.
   Channels where_it_counts(const Vec3& base, double thickness) {
     constexpr double kThick = 4.0, kGolden = 0.61803398874989485;
-    constexpr int kFew = 16, kRow = 32, kTogether = 32 * kRow;
+    constexpr int kFew = 16, kBatch = 32, kTogether = 32 * kBatch;
     // Where light of every colour dies out before it reaches the far side, what counts is near and varies little.
     const bool thick = slowest_decay() * thickness * settings_.mm_per_unit > kThick;
     const int n = part_of(settings_.diffuse_samples, thick ? 0.25 : 0.8);
@@ -207,15 +207,15 @@ class Estimator {
     const double shift = environment_.random(), turn = environment_.random();
     const Vec3& up = point_.normal;
     const Vec3 x = normalize(cross(up, std::fabs(up.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0))), y = cross(up, x);
-    Vec3 directions[kRow];
-    double shares[kRow];
-    SubsurfaceEnvironment::SurfaceHit hits[kRow];
-    bool found[kRow];
+    Vec3 directions[kBatch];
+    double shares[kBatch];
+    SubsurfaceEnvironment::SurfaceHit hits[kBatch];
+    bool found[kBatch];
     boost::container::small_vector<Entrance, 128> entrances;
     double counted = 0.0;
     Channels sum{};
-    for (int begin = 0; begin < n; begin += kRow) {
-      const int size = std::min(kRow, n - begin);
+    for (int begin = 0; begin < n; begin += kBatch) {
+      const int size = std::min(kBatch, n - begin);
       for (int i = 0; i < size; ++i) {
         const double u = (begin + i + shift) / n, angle = 2.0 * kPi * ((begin + i) * kGolden + turn);
         const double cosine = u < below ? u / below - 1.0 : (u - below) / (1.0 - below),

@@ -16,7 +16,7 @@ class SubsurfaceEnvironment {
  public:
   struct SurfaceHit {
     double t = 0;
-    Vec3 point, normal;  // raw unit normal
+    Vec3 point, normal;  // geometric unit normal
     const scene::Interior* interior = nullptr;
   };
   virtual ~SubsurfaceEnvironment() = default;

@@ -18,7 +18,7 @@ struct PointBatch {
   }
 };
 
-// Colours of the points of a row.
+// Colours of the points of a batch.
 struct RgbBatch {
   alignas(64) float r[PointBatch::kMax], g[PointBatch::kMax], b[PointBatch::kMax];
 };

@@ -107,9 +107,7 @@ Vec3 unfold_cube(const Vec3& p) {
 struct Walk {
   Vec3 p;
   void operator()(const AffineStep& s) {
-    const auto to = [&](int k) {
-      return p.x * s.batch[0][k] + p.y * s.batch[1][k] + p.z * s.batch[2][k] + s.batch[3][k];
-    };
+    const auto to = [&](int k) { return p.x * s.rows[0][k] + p.y * s.rows[1][k] + p.z * s.rows[2][k] + s.rows[3][k]; };
     p = Vec3(to(0), to(1), to(2));
   }
   void operator()(const TurbulenceStep*) {}
@@ -126,7 +124,7 @@ struct Append {
     if (t.is_identity()) return;
     AffineStep step{};
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 3; ++j) step.batch[i][j] = t.inv[i][j];
+      for (int j = 0; j < 3; ++j) step.rows[i][j] = t.inv[i][j];
     if (!chain.transforms && chain.rest.empty()) {
       chain.transforms = true;
       chain.first = step;

@@ -14,7 +14,7 @@ namespace verisim::textures {
 
 // p' = p.x * row 0 + p.y * row 1 + p.z * row 2 + row 3: the inverse of what SDL wrote.
 struct AffineStep {
-  alignas(32) double batch[4][4];  // the offset last; the fourth column is zero
+  alignas(32) double rows[4][4];  // the offset last; the fourth column is zero
 };
 struct TurbulenceStep {
   Vec3 amount;

@@ -141,17 +141,17 @@ template <class ShaftOf>
 const WorldEntry* CoherentRays::camera_batch(double x, double y, int& count, ShaftOf&& shaft_of) {
   if (camera_.kind == CameraCoherence::Kind::none || tile_worth_.paused()) return nullptr;
   // Positions are within a pixel of the picture, which has fewer than 2^30 pixels a side.
-  const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, batch = static_cast<int>(y + (kTile + 0.5)) / kTile;
+  const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, row = static_cast<int>(y + (kTile + 0.5)) / kTile;
   count = std::min(count, (column + 1) * kTile - static_cast<int>(x + (kTile + 0.5)));
   tile_worth_.used += static_cast<std::uint32_t>(count);
-  if (column == last_column_ && batch == last_row_) return last_tile_;
-  last_column_ = column, last_row_ = batch;
+  if (column == last_column_ && row == last_row_) return last_tile_;
+  last_column_ = column, last_row_ = row;
   bool known;
   Slot& slot =
-      tiles_.find({{column, batch, 0}, 0}, static_cast<std::size_t>(column % kTiles + batch % kTiles * kTiles), known);
+      tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % kTiles + row % kTiles * kTiles), known);
   if (known) return last_tile_ = slot.usable ? &slot.entry : nullptr;
   tile_worth_.count_built();
-  const double left = (column - 1) * kTile - 0.5, top = (batch - 1) * kTile - 0.5, margin = 1e-3;
+  const double left = (column - 1) * kTile - 0.5, top = (row - 1) * kTile - 0.5, margin = 1e-3;
   return last_tile_ =
              remember(slot, shaft_of(left - margin, top - margin, left + kTile + margin, top + kTile + margin));
 }

@@ -47,6 +47,10 @@ struct Surface {
   const scene::PhotonFlags& photons() const { return *object->photons; }
   // More than its own texture may show at a hit (World::weighted_textures).
   bool shows_several() const { return !texture || !extra_textures().empty(); }
+  // Its own texture on the side that is hit.
+  const textures::CompiledTexture* texture_within(bool inside) const {
+    return inside && interior_texture ? interior_texture : texture;
+  }
 };
 
 }  // namespace verisim::shapes

@@ -27,7 +27,7 @@ scene::DensityPtr untyped() {
 void read_list(Parser& parser, Density& density, int size) {
   density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white,
                                                             [&] { return parse_density(parser); });
-  density.color_map = density.density_map ? nullptr : parse_color_list(parser, size, density.pattern.kind);
+  density.color_map = density.density_map ? nullptr : parse_color_list(parser, density.pattern.kind);
 }
 
 void read_uv_mapped(Parser& parser, Density& density) {
@@ -62,16 +62,6 @@ bool parse_modifier(Parser& parser, Density& density) {
       density.density_map = parse_density_map(parser, density.pattern.kind == PatternKind::average);
       density.color_map = nullptr;
       return true;
-    case Word::slope_map:
-    case Word::normal_map:
-    case Word::bump_size:
-    case Word::accuracy:
-      error_only_in(parser, word_at(parser), "a normal statement");
-    case Word::pigment_map:
-    case Word::quick_color:
-      error_only_in(parser, word_at(parser), "a pigment statement");
-    case Word::texture_map:
-      error_only_in(parser, word_at(parser), "a texture statement");
     default:
       return parse_pattern_modifier(parser, density.pattern, PatternOwner::density);
   }

@@ -8,7 +8,7 @@
 #include "parser/scene/textures/pattern.h"
 #include "tracer/functions/evaluation_budget.h"
 #include "tracer/image/image.h"
-#include "tracer/textures/evaluation/missing_surface.h"
+#include "tracer/textures/evaluation/evaluation_faults.h"
 
 namespace verisim::parser {
 

@@ -61,27 +61,6 @@ void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
   map.push_back({to_float(value.v[0]), parser.parse_color()});
 }
 
-constexpr Color kBlack{0, 0, 0}, kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kYellow{1, 1, 0}, kCyan{0, 1, 1},
-    kMagenta{1, 0, 1};
-
-// Built-in colours of the list patterns (spec 05 4.3).
-Color built_in_color(scene::PatternKind kind, int i) {
-  using scene::PatternKind;
-  constexpr Color kBrick[] = {{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}}, kChecker[] = {kBlue, kGreen},
-                  kHexagon[] = {kBlue, kGreen, kRed}, kOthers[] = {kRed, kGreen, kBlue, kYellow, kCyan, kMagenta};
-  switch (kind) {
-    case PatternKind::brick:
-      return kBrick[i];
-    case PatternKind::checker:
-    case PatternKind::object:
-      return kChecker[i];
-    case PatternKind::hexagon:
-      return kHexagon[i];
-    default:
-      return i < 6 ? kOthers[i] : kBlack;
-  }
-}
-
 }  // namespace
 
 bool refuses_maps(scene::PatternKind kind) {
@@ -128,14 +107,14 @@ Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, boo
       });
 }
 
-Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind) {
+Shared<scene::ColorMap> parse_color_list(Parser& parser, scene::PatternKind kind) {
   auto map = std::make_shared<scene::ColorMap>();
-  for (int i = 0; i < size && (at_color(parser) || parser.at_number_start()); ++i) {
-    map->push_back({static_cast<float>(i), parser.parse_color()});
-    parser.optional_comma();
+  bool written = true;
+  for (const Color& built_in : scene::built_in_list(kind)) {
+    written = written && (at_color(parser) || parser.at_number_start());
+    map->push_back({static_cast<float>(map->size()), written ? parser.parse_color() : built_in});
+    if (written) parser.optional_comma();
   }
-  for (int i = static_cast<int>(map->size()); i < size; ++i)
-    map->push_back({static_cast<float>(i), built_in_color(kind, i)});
   return map;
 }
 

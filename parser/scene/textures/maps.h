@@ -16,9 +16,9 @@ Shared<scene::BlendMap<scene::SlopeEntry>> parse_slope_map(Parser& parser);
 Shared<scene::BlendMap<scene::TexturePtr>> parse_texture_map(Parser& parser, bool weights);
 Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, bool weights);
 
-// Lists of checker, brick ...: `size` colours; those that are not written come from the built-in list, which a later
-// pattern takes as its map (spec 05 4.3).
-Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind);
+// Lists of checker, brick ...: colours that are not written come from the built-in list, which a later pattern takes as
+// its map (spec 05 4.3).
+Shared<scene::ColorMap> parse_color_list(Parser& parser, scene::PatternKind kind);
 
 // Up to `size` blocks that start with `word`; missing ones are what `absent` is behind them, where `#default` may have
 // changed it. Null: none was written.

@@ -64,14 +64,6 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
       normal.slope_map = nullptr;
       return true;
-    case Word::color_map:
-    case Word::pigment_map:
-    case Word::quick_color:
-      error_only_in(parser, word_at(parser), "a pigment statement");
-    case Word::density_map:
-      error_only_in(parser, word_at(parser), "a density statement");
-    case Word::texture_map:
-      error_only_in(parser, word_at(parser), "a texture statement");
     default:
       return parse_pattern_modifier(parser, normal.pattern, PatternOwner::normal);
   }

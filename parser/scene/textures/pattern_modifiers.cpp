@@ -185,6 +185,28 @@ bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
   }
 }
 
+// What only another statement of a texture takes; its own items a statement has read before.
+void refuse_items_of_others(Parser& parser) {
+  const Word word = word_at(parser);
+  switch (word) {
+    case Word::color_map:
+    case Word::pigment_map:
+    case Word::quick_color:
+      error_only_in(parser, word, "a pigment statement");
+    case Word::slope_map:
+    case Word::normal_map:
+    case Word::bump_size:
+    case Word::accuracy:
+      error_only_in(parser, word, "a normal statement");
+    case Word::density_map:
+      error_only_in(parser, word, "a density statement");
+    case Word::texture_map:
+      error_only_in(parser, word, "a texture statement");
+    default:
+      break;
+  }
+}
+
 }  // namespace
 
 bool parse_turbulence_item(Parser& parser, scene::Turbulence& turbulence) {
@@ -247,7 +269,9 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern, PatternOwner owner
       return true;
     }
     default:
-      return parse_wave(parser, pattern) || parse_parameter(parser, pattern, owner);
+      if (parse_wave(parser, pattern) || parse_parameter(parser, pattern, owner)) return true;
+      if (owner != PatternOwner::function) refuse_items_of_others(parser);
+      return false;
   }
 }
 

@@ -15,7 +15,7 @@ void read_list(Parser& parser, Pigment& pigment, int size) {
   const auto absent = [&] { return default_layer(parser).pigment; };
   pigment.pigment_map = parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, absent,
                                                             [&] { return parse_pigment(parser, absent()); });
-  pigment.color_map = pigment.pigment_map ? nullptr : parse_color_list(parser, size, pigment.pattern.kind);
+  pigment.color_map = pigment.pigment_map ? nullptr : parse_color_list(parser, pigment.pattern.kind);
 }
 
 // The rest of the statement becomes a pigment of its own, evaluated at (u, v, 0) (spec 05 11.3).
@@ -46,15 +46,6 @@ bool parse_modifier(Parser& parser, Pigment& pigment) {
       parser.next();
       pigment.quick_color = parser.parse_color();
       return true;
-    case Word::slope_map:
-    case Word::normal_map:
-    case Word::bump_size:
-    case Word::accuracy:
-      error_only_in(parser, word_at(parser), "a normal statement");
-    case Word::density_map:
-      error_only_in(parser, word_at(parser), "a density statement");
-    case Word::texture_map:
-      error_only_in(parser, word_at(parser), "a texture statement");
     default:
       return parse_pattern_modifier(parser, pigment.pattern, PatternOwner::pigment);
   }

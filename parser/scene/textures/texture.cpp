@@ -150,21 +150,6 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
       texture.no_bump_scale = true;
       continue;
     }
-    switch (word_at(parser)) {
-      case Word::color_map:
-      case Word::pigment_map:
-      case Word::quick_color:
-        error_only_in(parser, word_at(parser), "a pigment statement");
-      case Word::normal_map:
-      case Word::slope_map:
-      case Word::bump_size:
-      case Word::accuracy:
-        error_only_in(parser, word_at(parser), "a normal statement");
-      case Word::density_map:
-        error_only_in(parser, word_at(parser), "a density statement");
-      default:
-        break;
-    }
     if (!parse_pattern_modifier(parser, texture.pattern, PatternOwner::texture)) break;
   }
   if (kind == PatternKind::average && !texture.texture_map) parser.error(Code::missing_item, "Average must have map.");

@@ -149,9 +149,9 @@ Jet exponential(const Jet& a) {
   const Interval e = Interval::around(std::exp(a.value.low - a.error), std::exp(a.value.high + a.error));
   return applied(a, e, e, e);
 }
-// Those of ProgramKernels::nearly.
+// Those of ProgramKernels::approximate.
 Jet approximate_sine(const Jet& a, const Interval& sine, const Interval& derivative) {
-  if (!(a.value.magnitude() < ProgramKernels::kMaxNear)) return rough();
+  if (!(a.value.magnitude() < ProgramKernels::kMaxApproximate)) return rough();
   Jet result = applied(a, sine, derivative, -sine);
   result.error += ProgramKernels::kApproximateError;
   return result;

@@ -13,8 +13,8 @@ struct Curvature {
   double bend;  // no second derivative along a unit vector is larger anywhere in the box; infinity: not known, or the
                 // function has an edge there
   std::array<double, 6> parts;  // no second derivative by x x, y y, z z, x y, x z or y z is larger
-  double error;  // how far computed values, even those of ProgramKernels::nearly, may be from the function's, where
-                 // `bend` is finite
+  double error;  // how far computed values, even those of ProgramKernels::approximate, may be from the function's,
+                 // where `bend` is finite
 };
 
 // For the boxes one after the other.

@@ -40,11 +40,11 @@ Value unary(Code code, const Value& a) {
     case Code::abs:
       return {{v.least_magnitude(), v.magnitude()}, a.error_bound};
     case Code::sin:
-      return v.magnitude() + a.error_bound < ProgramKernels::kMaxNear ? near(sine(v), a.error_bound)
-                                                                      : Value{{-1, 1}, kUnknown};
+      return v.magnitude() + a.error_bound < ProgramKernels::kMaxApproximate ? near(sine(v), a.error_bound)
+                                                                             : Value{{-1, 1}, kUnknown};
     case Code::cos:
-      return v.magnitude() + a.error_bound < ProgramKernels::kMaxNear ? near(cosine(v), a.error_bound)
-                                                                      : Value{{-1, 1}, kUnknown};
+      return v.magnitude() + a.error_bound < ProgramKernels::kMaxApproximate ? near(cosine(v), a.error_bound)
+                                                                             : Value{{-1, 1}, kUnknown};
     case Code::sqrt: {
       const Interval root = Interval::around(std::sqrt(std::max(v.low, 0.0)), std::sqrt(std::max(v.high, 0.0)));
       if (a.error_bound == 0) return {root, 0};

@@ -1,4 +1,4 @@
-// How far values of ProgramKernels::nearly may be from those that ProgramKernels::narrow computes, over a box.
+// How far values of ProgramKernels::approximate may be from those that ProgramKernels::narrow computes, over a box.
 // Infinity: not known.
 #pragma once
 

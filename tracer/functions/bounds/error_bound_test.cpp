@@ -48,7 +48,7 @@ TEST(ErrorBound, HoldsWhatNearValuesAreOffBy) {
       for (double* r : {exact, near}) program.set_constants(r, kNarrow);
       for (int n = 0; n < 2000; ++n) {
         for (std::size_t k = 0; k < 3 * kNarrow; ++k) exact[k] = near[k] = -1.5 + 2.5 * unit(random);
-        kernels->narrow(program.code(), {}, exact, 255), kernels->nearly(program.code(), {}, near, 255);
+        kernels->narrow(program.code(), {}, exact, 255), kernels->approximate(program.code(), {}, near, 255);
         for (std::size_t k = 0; k < kNarrow; ++k) {
           const double a = exact[program.result_register() * kNarrow + k],
                        b = near[program.result_register() * kNarrow + k];

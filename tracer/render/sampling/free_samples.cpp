@@ -70,11 +70,11 @@ void PixelSampler::free_points(int count, Color* colors) {
 // Adds the rays' colours to the sums of their samples.
 void PixelSampler::free_wavefront(std::span<const FreeRay> rays, const Vec2* places, Color* sums) {
   if (rays.empty()) return;
-  RayBatch& row = wavefront_.packet().rays;
+  RayBatch& batch = wavefront_.packet().rays;
   bool together = true;
   for (std::size_t k = 0; k < rays.size() && together; ++k) {
     const int lane = static_cast<int>(k);
-    row.origin.set(lane, rays[k].ray.origin), row.direction.set(lane, rays[k].ray.direction);
+    batch.origin.set(lane, rays[k].ray.origin), batch.direction.set(lane, rays[k].ray.direction);
     wavefront_.places()[k] = places[rays[k].sample],
     wavefront_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
     together = starts_like_the_first(lane);

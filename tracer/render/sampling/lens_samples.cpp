@@ -19,10 +19,7 @@ class LensIsHollow {
 };
 
 // Whether anything shows that a ray started in what is not hollow: else all are taken for hollow, and go together.
-bool hollow_shows(const shading::SceneData& scene) {
-  return scene.fog || !scene.rainbows.empty() ||
-         (scene.effects && (scene.effects->atmosphere || scene.effects->media_in_interiors));
-}
+bool hollow_shows(const shading::SceneData& scene) { return scene.air_shows() || scene.any_media(); }
 
 }  // namespace
 

@@ -37,7 +37,7 @@ struct Agreement {
 }  // namespace
 
 // By default the offsets of a grid's samples are multi-jittered (Chiu, Shirley and Wang 1994; with one shuffle for all
-// rows and one for all columns as in Kensler 2013): the samples of a batch share out the height of their cells among
+// rows and one for all columns as in Kensler 2013): the samples of a row share out the height of their cells among
 // them, those of a column the width. Each by itself is anywhere in its cell, as POV-Ray's are, but an edge of a shadow
 // finds them spread more evenly.
 struct Tracer::AreaGrid {
@@ -46,19 +46,19 @@ struct Tracer::AreaGrid {
   Light::Axes axes;
   const Rgb& color;  // of the unshadowed light
   std::uint64_t key = 0;
-  Shuffle *batches = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
-  bool together = false;                           // rays may go in rows
-  accel::WorldEntry* entry = nullptr;              // of these
-  bool attenuates = false, quartered = false;      // media or fog act on the last stretch
-  LastStretch left{};                              // of the sample that was asked last
+  Shuffle *rows = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
+  bool together = false;                        // rays may go in batches
+  accel::WorldEntry* entry = nullptr;           // of these
+  bool attenuates = false, quartered = false;   // media or fog act on what lies behind the last surface
+  ShadowSegment rest{};                         // of the sample that was taken last
 
   // Moves a position within its cell.
-  void jitter(int column, int batch, double& x, double& y) const {
-    const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(batch);
+  void jitter(int column, int row, double& x, double& y) const {
+    const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(row);
     const auto width = static_cast<std::uint32_t>(query.light.size1()),
                height = static_cast<std::uint32_t>(query.light.size2());
     const std::uint32_t cell = v * width + u;
-    const double across = batches->place(v) + unit(scrambled(cell, key + 1)),
+    const double across = rows->place(v) + unit(scrambled(cell, key + 1)),
                  along = columns->place(u) + unit(scrambled(cell, key + 3));
     x += across / height - 0.5, y += along / width - 0.5;
   }
@@ -69,8 +69,8 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   AreaGrid grid{query, p, light.axes(centre.towards), color};
   if (light.source().jitter && !random_.replay()) {
     grid.key = static_cast<std::uint64_t>(random_.shading() * 0x1p53) << 11;
-    grid.batches = &area_batches_, grid.columns = &area_columns_;
-    area_batches_.begin(static_cast<std::uint32_t>(light.size2()), grid.key),
+    grid.rows = &area_rows_, grid.columns = &area_columns_;
+    area_rows_.begin(static_cast<std::uint32_t>(light.size2()), grid.key),
         area_columns_.begin(static_cast<std::uint32_t>(light.size1()), grid.key + 2);
   }
   const std::size_t cells = static_cast<std::size_t>(light.size1()) * light.size2();
@@ -84,43 +84,43 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
     if (const auto all = ask_first_corners(grid); all && all->r >= 0 && mean(*all, *all, *all, *all) == *all)
       return *all;
   Rgb result = area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
-  if (grid.attenuates) area_last_stretch(grid, result);
+  if (grid.attenuates) area_volumes(grid, result);
   return result;
 }
 
-// Media and fog act once for all samples: on the last stretch of the one that was asked last, and, where the grid was
-// quartered, on a ray to twice the position of the light; within things that are not hollow not at all (spec 06 9.4).
-void Tracer::area_last_stretch(const AreaGrid& grid, Rgb& color) {
+// Media and fog act once for all samples: behind the last surface on the way of the one that was taken last, and, where
+// the grid was quartered, on a ray to twice the position of the light; within things that are not hollow not at all
+// (spec 06 9.4).
+void Tracer::area_volumes(const AreaGrid& grid, Rgb& color) {
   if (color == Rgb()) return;
   RayState ray = grid.query.eye;
-  double length = grid.left.length;
+  double length = grid.rest.length;
   if (grid.quartered) {
     const Light& light = grid.query.light;
     const LightDirection to = light.direction(grid.p, light.source().position);
     ray.ray = {grid.p, to.towards}, length = to.distance;
   } else {
-    ray.ray = grid.left.ray;
+    ray.ray = grid.rest.ray;
   }
   if (length > kShadowTolerance) shadow_volumes(grid.query, ray, length, false, color);
 }
 
-Rgb Tracer::area_sample(AreaGrid& grid, int column, int batch) {
+Rgb Tracer::area_sample(AreaGrid& grid, int column, int row) {
   const Light& light = grid.query.light;
-  double u = column, v = batch;
-  if (grid.batches)
-    grid.jitter(column, batch, u, v);
+  double u = column, v = row;
+  if (grid.rows)
+    grid.jitter(column, row, u, v);
   else if (light.source().jitter)
     u += random_.shading() - 0.5, v += random_.shading() - 0.5;
   const LightDirection to = light.direction(grid.p, light.offset(grid.axes, u, v));
   Rgb color = grid.color;
-  cast_shadow(grid.query, grid.p, to.towards, to.distance, color, grid.attenuates ? &grid.left : nullptr);
+  cast_shadow(grid.query, {{grid.p, to.towards}, to.distance}, color, grid.attenuates ? &grid.rest : nullptr);
   return color;
 }
 
 // The samples in these columns and rows that are not known, at once; those on whose way media may draw random numbers
 // are left for later.
-std::optional<Rgb> Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns,
-                                       std::span<const int> batches) {
+std::optional<Rgb> Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows) {
   const Light& light = grid.query.light;
   RayBatch rays;
   double distance[RayBatch::kSize];
@@ -160,7 +160,7 @@ std::optional<Rgb> Tracer::ask_corners(const AreaGrid& grid, std::span<const int
       agreement.add(color);
     }
     if (filtered.count > 0) {
-      filter_row(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
+      filter_batch(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
       for (int k = 0; k < filtered.count; ++k) {
         *filtered_corners[k] = {filtered.light[k], corner_stamp_};
         agreement.add(filtered.light[k]);
@@ -169,12 +169,12 @@ std::optional<Rgb> Tracer::ask_corners(const AreaGrid& grid, std::span<const int
     statistics_.shadow_rays += static_cast<std::uint64_t>(active + filtered.count);
     count = 0;
   };
-  for (const int v : batches) {
+  for (const int v : rows) {
     for (const int u : columns) {
       CornerResult& corner = corners_[static_cast<std::size_t>(v) * light.size1() + u];
       if (corner.stamp == corner_stamp_) continue;
       places.u[count] = u, places.v[count] = v;
-      if (grid.batches) grid.jitter(u, v, places.u[count], places.v[count]);
+      if (grid.rows) grid.jitter(u, v, places.u[count], places.v[count]);
       corners[count++] = &corner;
       corner.stamp = corner_stamp_;  // the middle of an even number of cells is named twice
       if (count == RayBatch::kMax) ask();

@@ -16,9 +16,9 @@ bool box_passes(const shapes::Shape& shape, const Ray& ray) {
   return !shape.object->as<scene::Csg>() || accel::slab_test(shape.object->bounds).passes(ray);
 }
 
-// What is asked before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
+// What is tested before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
 // yet, what deeper ones do. `last` is in the pair of both.
-const shapes::Shape* asked_first(const shapes::Shape* const* last, int surface_level) {
+const shapes::Shape* tested_first(const shapes::Shape* const* last, int surface_level) {
   if (!last || *last || surface_level > 1) return last ? *last : nullptr;
   return last[1];
 }
@@ -31,7 +31,7 @@ Rgb Tracer::shadowed(const Light& light, const Vec3& p, const LightDirection& ce
   const ShadowQuery query{ray, lit, light};
   // Radiosity's gather rays see area lights as points (spec 07 2.11).
   if (light.area() && !ray.gather) return area_shadow(query, p, centre, color);
-  cast_shadow(query, p, centre.towards, centre.distance, color);
+  cast_shadow(query, {{p, centre.towards}, centre.distance}, color);
   return color;
 }
 
@@ -77,61 +77,57 @@ accel::CoherentRays::Viewer Tracer::viewer(const ShadowQuery& query) {
 }
 
 bool Tracer::light_on_way_changes(const Light& light) const {
-  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || media);
+  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || scene_.any_media());
 }
 
-bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards,
-                                double distance) const {
-  return only_opaque(entry) || scene_.world.only_opaque_between(p, p + distance * towards);
+bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Ray& ray, double length) const {
+  return only_opaque(entry) || scene_.world.only_opaque_between(ray.origin, ray.origin + length * ray.direction);
 }
 
-void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color,
-                         LastStretch* left) {
+void Tracer::cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& color, ShadowSegment* rest) {
   ++statistics_.shadow_rays;
-  const Ray ray{p, towards};
-  double behind = 0;  // the projector, to the light
+  const Ray ray = segment.ray;
   if (const shapes::Shape* projector = query.light.projector()) {
     shapes::Hit hit;
-    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, distance, hit)) {
+    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, segment.length, hit)) {
       color = {};
       return;
     }
     if (!query.light.highlights()) {  // shadowless: the projector and the air are all it heeds
       RayState eye = query.eye;
       eye.ray = ray;
-      if (left)
-        *left = {ray, distance};
-      else if (distance > kShadowTolerance)
-        shadow_volumes(query, eye, distance, false, color);
+      if (rest)
+        *rest = segment;
+      else if (segment.length > kShadowTolerance)
+        shadow_volumes(query, eye, segment.length, false, color);
       return;
     }
-    behind = distance - hit.t;
-    distance = hit.t;
+    segment.beyond = segment.length - hit.t;
+    segment.length = hit.t;
   }
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the
   // tolerance to the transparent surface before it does not count, opaque or not, and media draw their random numbers
   // where POV-Ray's do; what is remembered hangs on all of it.
-  accel::WorldEntry* const entry = shadow_entry(query, p);
-  if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, p, towards, distance)) {
-    filter_along(query, p, towards, distance, entry, color, nullptr, left, behind);
-  } else if (distance > 2 * kShadowTolerance &&
-             scene_.world.occluded(ray, contact_tolerance(query.light), distance - kShadowTolerance, entry)) {
+  accel::WorldEntry* const entry = shadow_entry(query, ray.origin);
+  if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, ray, segment.length)) {
+    filter_along(query, segment, entry, color, rest);
+  } else if (segment.length > 2 * kShadowTolerance &&
+             scene_.world.occluded(ray, contact_tolerance(query.light), segment.length - kShadowTolerance, entry)) {
     color = {};
   }
 }
 
-void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
-                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first, LastStretch* left,
-                          double behind) {
+void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const accel::WorldEntry* entry, Rgb& color,
+                          ShadowSegment* rest) {
   const InteriorScope scope(*this);
   const shapes::ShadowRays shadow_rays;
   const shapes::Shape** const last = last_blocker(query);
   RayState ray = query.eye;
-  ray.ray = {p, towards};
-  const shapes::Shape* const remembered = asked_first(last, query.eye.surface_level());
+  ray.ray = segment.ray;
+  double distance = segment.length;
+  const shapes::Shape* const remembered = tested_first(last, query.eye.surface_level());
   const auto leave = [&] {
-    if (left) *left = {ray.ray, distance + behind};
+    if (rest) *rest = {ray.ray, distance + segment.beyond};
   };
   if (remembered && filter_by_remembered(query, *remembered, distance, ray, color)) {
     color = {};
@@ -142,12 +138,12 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
   // What lies on the way is found once: at the first transparent surface, which is where the ray starts if that is one.
   accel::BoxesAlong boxes;
   double travelled = 0;  // since then
-  bool asked = false, known = false;
+  bool searched = false, known = false;
   const auto find_boxes = [&] {
-    asked = true;
+    searched = true;
     known = scene_.world.boxes_along(ray.ray, from, distance - kShadowTolerance, entry, boxes);
   };
-  if (!first && query.lit && !query.lit->opaque) find_boxes();
+  if (query.lit && !query.lit->opaque) find_boxes();
   const auto look = [&](shapes::Hit& hit) {
     const double limit = distance - kShadowTolerance;
     const auto kind = shapes::RayKind::shadow;
@@ -157,12 +153,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
   for (bool clear = true;; clear = false) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
-    if (distance <= 2 * kShadowTolerance) break;
-    if (first)
-      hit = *first;
-    else if (!look(hit))
-      break;
-    first = nullptr;
+    if (distance <= 2 * kShadowTolerance || !look(hit)) break;
     from = kAboveShadowTolerance;
     const shapes::Surface& surface = *hit.shape->surface;
     if (hit.t < kAboveShadowTolerance && !surface.opaque) continue;
@@ -176,14 +167,14 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     ray.hollow = all_hollow(ray.interiors);
     ray.ray.origin = hit.point;
     distance -= hit.t;
-    if (asked)
+    if (searched)
       travelled += hit.t;
     else
       find_boxes();
   }
   leave();
-  const double rest = distance + behind;
-  if (!left && rest > kShadowTolerance) shadow_volumes(query, ray, rest, false, color);
+  distance += segment.beyond;
+  if (!rest && distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
 }
 
 // Atmosphere and fog act only for lights that ask for it; media of containers always, over segments that end at a
@@ -238,7 +229,7 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
   const Vec3 p = at.pattern_point();
   scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
   if (weighted_.empty()) {
-    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    const auto* texture = surface.texture_within(at.inside_hit);
     return texture ? texture_filter(at, *texture, p, towards, nullptr) : Rgb();
   }
   const std::size_t first = selection_.size();
@@ -255,21 +246,14 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
 }
 
 Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
-                           const Frame* frame) {
+                           const TextureFrame* frame) {
   if (texture.opaque) return {};
   if (texture.patterned()) {
-    const std::size_t first = selection_.size();
-    selection_.resize(first + std::max<std::size_t>(texture.map.size(), 2));
-    Vec3 warped;
-    const auto chosen = textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(first), warped);
-    const std::size_t count = chosen.size(), offset = static_cast<std::size_t>(chosen.data() - selection_.data());
-    const Frame inner{&texture, frame};
+    const TextureParts parts(selection_, texture, p, at.texture_point, frame);
     Rgb sum;
-    for (std::size_t i = 0; i < count; ++i) {
-      const textures::WeightedTexture entry = selection_[offset + i];
-      if (entry.weight != 0) sum += scaled(texture_filter(at, *entry.texture, warped, towards, &inner), entry.weight);
-    }
-    selection_.resize(first);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (const textures::WeightedTexture entry = parts[i]; entry.weight != 0)
+        sum += scaled(texture_filter(at, *entry.texture, parts.point, towards, &parts.frame), entry.weight);
     return sum;
   }
   const float caustics = at.surface.interior->caustics;
@@ -277,7 +261,7 @@ Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& text
   for (const textures::CompiledLayer& layer : texture.layers) {
     Color c;
     // Fake caustics: once per layer, so a surface may brighten the light.
-    Vec3 normal = at.raw;
+    Vec3 normal = at.geometric_normal;
     if (caustics != 0) normal = layer_normal(at, layer, p, frame);
     if (textures::evaluate(*layer.pigment, p, &at.texture_point, c)) filter *= c.transmission();
     if (caustics != 0)

@@ -9,9 +9,9 @@
 namespace verisim::shading {
 namespace {
 
-// As many as are used: what is made for a whole row costs more than a few rays.
+// As many as are used: what is made for a whole batch costs more than a few rays.
 template <class T>
-using RowOf = boost::container::static_vector<T, ShadowBatch::kMax>;
+using BatchOf = boost::container::static_vector<T, ShadowBatch::kMax>;
 
 // The rays of a batch by their cells.
 struct Cells {
@@ -19,7 +19,7 @@ struct Cells {
     accel::WorldEntry* entry;  // null: nothing is known
     Box3 served;               // empty: nothing else
   };
-  RowOf<Cell> cells;
+  BatchOf<Cell> cells;
   std::uint8_t of[ShadowBatch::kMax];
   int count() const { return static_cast<int>(cells.size()); }
   Cell& operator[](int c) { return cells[static_cast<std::size_t>(c)]; }
@@ -63,7 +63,7 @@ void block(const accel::World& world, double tolerance, const Travellers& cell, 
 
 }  // namespace
 
-// Shadow rays to this light go one by one: many to an area, or with things to meet on their way that the rows do not
+// Shadow rays to this light go one by one: many to an area, or with things to meet on their way that the batches do not
 // know.
 bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
   return (light.area() && !eye.gather) || light.projector() || in_order_;
@@ -140,7 +140,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& 
         block(scene_.world, contact_tolerance(light), cell, entry, batch);
       },
       [&](const Travellers& cell, accel::WorldEntry* entry) {
-        filter_row(light, eye, entry, cell.index, cell.count, batch);
+        filter_batch(light, eye, entry, cell.index, cell.count, batch);
       });
 }
 
@@ -163,7 +163,7 @@ void Tracer::look_for_light(const Light& light, const RayState& eye, ShadowBatch
       },
       [&](const Travellers& cell, accel::WorldEntry* entry) {
         if (draws || changes) return;
-        filter_row(light, eye, entry, cell.index, cell.count, batch);
+        filter_batch(light, eye, entry, cell.index, cell.count, batch);
         know(cell);
       });
 }
@@ -181,8 +181,8 @@ void Tracer::dim(const Light& light, const RayState& eye, const int* index, int 
 
 // filter_along() for the rays `index` of a batch: where transparent surfaces may be met. Nothing but media of
 // containers acts between them here.
-void Tracer::filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
-                        int count, ShadowBatch& batch) {
+void Tracer::filter_batch(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
+                          int count, ShadowBatch& batch) {
   const InteriorScope scope(*this);
   // Those that have met a transparent surface.
   struct Way {
@@ -193,7 +193,7 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
     double distance;
     RandomSource random;
   };
-  RowOf<Way> ways;
+  BatchOf<Way> ways;
   RayState ray = eye;  // all that ways do not have of their own
   const bool draws = scene_.effects && scene_.effects->interior_draws_count;
   // True: there is more of the way beyond the surface.
@@ -213,7 +213,7 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
   };
   Travellers open;
   for (int k = 0; k < count; ++k) open.add(index[k], batch.rays.at(index[k]), batch.distance[index[k]]);
-  RowOf<shapes::Hit> enclosure(static_cast<std::size_t>(count));
+  BatchOf<shapes::Hit> enclosure(static_cast<std::size_t>(count));
   shapes::Hit* const hits = enclosure.data();
   bool found[ShadowBatch::kMax];
   scene_.world.intersect_batch(open.rays, 0, open.count, shapes::RayKind::shadow, contact_tolerance(light), entry, hits,

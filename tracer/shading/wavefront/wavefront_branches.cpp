@@ -67,7 +67,7 @@ void Wavefront::aim_behind(Branch& branch) {
   } else {
     branch.total = true;
     branch.group = 0;
-    branch.direction = reflected_direction(d, normal, at.raw);
+    branch.direction = reflected_direction(d, normal, at.geometric_normal);
   }
 }
 
@@ -87,8 +87,8 @@ void Wavefront::trace_branches() {
       continue;
     branch.group = 0;
     branch.weight = weights_[branch.ray] * branch.layer.translucency * branch.layer.mirror.strength;
-    branch.direction =
-        reflected_direction(packet_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
+    branch.direction = reflected_direction(packet_.rays.direction.at(branch.ray), branch.layer.normal,
+                                           met_[branch.ray].at->geometric_normal);
   }
   trace_group(0, nullptr);
   for (std::size_t i = 0; i < crossings_.size(); ++i)
@@ -109,9 +109,7 @@ void Wavefront::trace_group(int group, const Tracer::Refraction* refraction) {
   child.state_.continuation = refraction && refraction->straight();
   child.state_.level = state_.surface_level();
   if (refraction) {
-    child.state_.refracted = true;
-    child.state_.interiors = refraction->interiors;
-    child.state_.hollow = refraction->hollow;
+    refraction->enter(child.state_);
   } else {
     child.state_.reflected = true;
   }

@@ -1,4 +1,4 @@
-// What shows where the rays of a wavefront hit: textures, their layers, colours and normals, row by row (spec 06
+// What shows where the rays of a wavefront hit: textures, their layers, colours and normals, batch by batch (spec 06
 // sections 3.1 to 3.3).
 #include "tracer/shading/finish.h"
 #include "tracer/shading/wavefront/wavefront.h"
@@ -88,7 +88,7 @@ void Wavefront::meet(int i) {
   }
   const shapes::Surface& surface = *hit.shape->surface;
   if (surface.ignore_global_lights || !surface.group_lights().empty()) return;
-  const auto* texture = inside && surface.interior_texture ? surface.interior_texture : surface.texture;
+  const auto* texture = surface.texture_within(inside);
   weighted_.clear();
   if (surface.shows_several()) scene_.world.weighted_textures(hit, inside, weighted_);
   const bool alone = weighted_.size() == 1 && weighted_[0].weight == 1;
@@ -278,9 +278,10 @@ void Wavefront::find_colors_and_normals(const Material& material, const int* lea
     points.set(k, leaf.point);
     surfaces[k] = &at.texture_point;
     if (perturbed)
-      at.texture_point.normal = leaf.around ? textures::enter_frame(*leaf.around, at.raw) : at.raw;
+      at.texture_point.normal =
+          leaf.around ? textures::enter_frame(*leaf.around, at.geometric_normal) : at.geometric_normal;
     else
-      normals_[k] = at.raw;
+      normals_[k] = at.geometric_normal;
   }
   points.fill_up(n);
   if (perturbed) {

@@ -285,8 +285,8 @@ class SuperellipsoidSearch {
     while (count > 0) {
       for (int i = 0; i < count; ++i) points[i] = open[i]->at;
       values(points, count, found);
-      const int asked = std::exchange(count, 0);
-      for (int i = 0; i < asked; ++i)
+      const int active = std::exchange(count, 0);
+      for (int i = 0; i < active; ++i)
         if (!open[i]->take(found[i])) open[count++] = open[i];
     }
   }

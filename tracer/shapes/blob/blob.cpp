@@ -230,11 +230,11 @@ class Blob final : public SearchPrimitive<Blob> {
   }
   // Writes the ends of pieces section by section of the way, which lies between `start` and start + span.
   static void write_by_sections(const Scratch<Piece>& pieces, double start, double span, Event* list) {
-    constexpr std::size_t kMost = 1024;
-    const std::size_t sections = std::min(kMost, std::bit_ceil(4 * pieces.size()));  // so many that few ends share one
+    constexpr std::size_t kMax = 1024;
+    const std::size_t sections = std::min(kMax, std::bit_ceil(4 * pieces.size()));  // so many that few ends share one
     const double scale = std::min(static_cast<double>(sections - 1) / span, 1e300);
     const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
-    std::uint16_t next[kMost + 1];
+    std::uint16_t next[kMax + 1];
     std::fill_n(next, sections + 1, std::uint16_t{0});
     for (std::size_t i = 0; i < pieces.size(); ++i)
       ++next[section(pieces[i].t0) + 1], ++next[section(pieces[i].t1) + 1];

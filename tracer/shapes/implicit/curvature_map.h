@@ -16,10 +16,10 @@ class CurvatureMap {
 
   // False: nothing is known anywhere.
   bool useful() const { return useful_; }
-  // How far values of PacketKernels::nearly may be from exact ones; infinity: not known.
+  // How far values of ProgramKernels::approximate may be from exact ones; infinity: not known.
   double error_bound() const { return error_bound_; }
-  // Of computed values, even those of PacketKernels::nearly, for points whose coordinates are sums of numbers up to
-  // `farthest`.
+  // Of computed values, even those of ProgramKernels::approximate, for points whose coordinates are sums of numbers up
+  // to `farthest`.
   double error() const { return error_; }
   double farthest() const { return farthest_; }
 

@@ -321,11 +321,11 @@ class Isosurface::BatchTrace {
  public:
   // Nearly: values need not be exact where the map says how wrong they are.
   BatchTrace(const Isosurface& shape, const RayPacket& rays, BatchHits& hits, FieldPacket& field,
-             const CurvatureMap* map, bool nearly)
+             const CurvatureMap* map, bool approximate)
       : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(field) {
     packet_.accuracy = s_.accuracy, packet_.threshold = s_.threshold;
     packet_.map = map;
-    if (nearly)
+    if (approximate)
       packet_.doubt = 2 * map->error_bound() + std::fabs(s_.threshold) * 0x1p-50 + std::numeric_limits<double>::min();
   }
 
@@ -439,11 +439,11 @@ class Isosurface::BatchTrace {
 void Isosurface::trace_batch(const RayPacket& rays, BatchHits& hits, FieldPacket& field) const {
   constexpr int kMaxDoubts = 10000;  // then it is not worth while
   const CurvatureMap* const known = map();
-  const bool nearly =
+  const bool approximate =
       known && std::isfinite(known->error_bound()) && doubts_.load(std::memory_order_relaxed) < kMaxDoubts;
-  const unsigned lost = BatchTrace(*this, rays, hits, field, known, nearly).run();
+  const unsigned lost = BatchTrace(*this, rays, hits, field, known, approximate).run();
   if (lost == 0) return;
-  if (nearly) doubts_.fetch_add(std::popcount(lost), std::memory_order_relaxed);
+  if (approximate) doubts_.fetch_add(std::popcount(lost), std::memory_order_relaxed);
   hits.forget(lost);
   BatchTrace(*this, {rays.rays, rays.first, lost}, hits, field, nullptr, false).run();
 }

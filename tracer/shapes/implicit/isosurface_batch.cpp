@@ -25,9 +25,9 @@ FieldPacket::FieldPacket(const functions::Program& program) : program_(program) 
   prepare(program, registers_, SearchPacket::kCount);
 }
 
-const double* FieldPacket::evaluate(unsigned active_mask, bool nearly) {
+const double* FieldPacket::evaluate(unsigned active_mask, bool approximate) {
   const functions::ProgramKernels& kernels = functions::packet_kernels();
-  (nearly ? kernels.nearly : kernels.narrow)(program_.code(), program_.calls(), registers_, active_mask);
+  (approximate ? kernels.approximate : kernels.narrow)(program_.code(), program_.calls(), registers_, active_mask);
   return registers_ + program_.result_register() * SearchPacket::kCount;
 }
 

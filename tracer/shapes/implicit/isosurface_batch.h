@@ -99,8 +99,8 @@ class FieldPacket {
   explicit FieldPacket(const functions::Program& program);
   // x, y and z of the points, eight each.
   double* points() { return registers_; }
-  // The values at the points of the lanes that are asked for; or nearly, as PacketKernels.
-  const double* evaluate(unsigned active_mask, bool nearly);
+  // The values at the points of the lanes that are active; or approximately, as ProgramKernels::approximate.
+  const double* evaluate(unsigned active_mask, bool approximate);
 
  private:
   const functions::Program& program_;

@@ -66,8 +66,8 @@ TEST(IsosurfaceBatch, AMapChangesOnlyTheSteps) {
     }
     SearchPacket with = packet;
     with.map = &map;
-    const bool nearly = n % 8 == 7;  // when the steepest slope is known
-    if (nearly) with.doubt = 2 * map.error_bound() + 1e-16;
+    const bool approximate = n % 8 == 7;  // when the steepest slope is known
+    if (approximate) with.doubt = 2 * map.error_bound() + 1e-16;
     const auto search_in = [&](SearchPacket& s, int& count) {
       const IsosurfaceKernels& kernels = isosurface_kernels();
       for (unsigned active = kernels.start(s, 255); active != 0;
@@ -78,7 +78,7 @@ TEST(IsosurfaceBatch, AMapChangesOnlyTheSteps) {
     search_in(with, steps[1]);
     for (int k = 0; k < SearchPacket::kCount; ++k) {
       if (with.lost[k] != 0) {
-        ++(nearly ? doubtful : lost);
+        ++(approximate ? doubtful : lost);
         continue;
       }
       ASSERT_EQ(with.found[k], packet.found[k]);

@@ -44,7 +44,7 @@ Segment segment(double y0, double y1, double f0, double f1, double s0, double s1
 
 // The annulus is that of the points and of the extremes between them: what the cubic itself is at its ends does not
 // count. POV-Ray takes roots of the squares there. Of a negative one, which a point on the axis may have by rounding,
-// it is no number: the first extreme leaves no annulus then, so that no ray finds the segment, and the second none of
+// it is NaN: the first extreme leaves no annulus then, so that no ray finds the segment, and the second none of
 // its own (spec 08 F).
 void find_annulus(Segment& s, double radius0, double radius1) {
   s.least2 = std::min(radius0, radius1), s.most2 = std::max(radius0, radius1);

@@ -22,7 +22,7 @@ inline __attribute__((always_inline)) void copy_few(const double* from, std::siz
   if (count & 1) *to = *from;
 }
 
-// Calls values(count, row, result) for batches of points and copies the result, or single(p) for each point.
+// Calls values(count, batch, result) for batches of points and copies the result, or single(p) for each point.
 template <class Values, class Single>
 void in_batches(const double* points, std::size_t stride, std::size_t count, double* result, Values&& values,
                 Single&& single) {

@@ -12,7 +12,7 @@ struct EvaluationKernels {
   double (*value_at)(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
   PatternValue (*value_of)(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
   bool (*evaluate)(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
-  // Rows are filled up.
+  // Batches are filled up.
   void (*evaluate_batch)(const CompiledPigment& pigment, int count, const PointBatch& points,
                          const SurfacePoint* const* surfaces, Color* colors, bool* colored);
   // Red, green and blue alone, of points without surfaces.

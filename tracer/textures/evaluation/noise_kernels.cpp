@@ -19,7 +19,7 @@
 
 #include "tracer/functions/program_packet.h"
 #include "tracer/textures/evaluation/evaluation.h"
-#include "tracer/textures/evaluation/missing_surface.h"
+#include "tracer/textures/evaluation/evaluation_faults.h"
 #include "tracer/noise/noise_cells.h"
 #include "tracer/textures/patterns/formulas.h"
 #include "tracer/textures/patterns/fractal_kernels.h"
@@ -51,12 +51,7 @@ const Octaves& wrinkles_octaves() {
 namespace baseline {
 #define VERISIM_INSTRUCTION_SET "baseline"
 #define VERISIM_REGISTER_DOUBLES 2
-#include "tracer/noise/noise_lanes.inc"
-#include "tracer/noise/noise_kernels.inc"
-#include "tracer/noise/noise_batch.inc"
-#include "tracer/noise/vector_batch.inc"
-#include "tracer/textures/evaluation/evaluation.inc"
-#include "tracer/textures/evaluation/evaluation_batch.inc"
+#include "tracer/textures/evaluation/kernels_of_set.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace baseline
@@ -67,12 +62,7 @@ namespace baseline {
 namespace avx2 {
 #define VERISIM_INSTRUCTION_SET "avx2"
 #define VERISIM_REGISTER_DOUBLES 4
-#include "tracer/noise/noise_lanes.inc"
-#include "tracer/noise/noise_kernels.inc"
-#include "tracer/noise/noise_batch.inc"
-#include "tracer/noise/vector_batch.inc"
-#include "tracer/textures/evaluation/evaluation.inc"
-#include "tracer/textures/evaluation/evaluation_batch.inc"
+#include "tracer/textures/evaluation/kernels_of_set.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx2
@@ -80,12 +70,7 @@ namespace avx2 {
 namespace avx512 {
 #define VERISIM_INSTRUCTION_SET "avx512"
 #define VERISIM_REGISTER_DOUBLES 8
-#include "tracer/noise/noise_lanes.inc"
-#include "tracer/noise/noise_kernels.inc"
-#include "tracer/noise/noise_batch.inc"
-#include "tracer/noise/vector_batch.inc"
-#include "tracer/textures/evaluation/evaluation.inc"
-#include "tracer/textures/evaluation/evaluation_batch.inc"
+#include "tracer/textures/evaluation/kernels_of_set.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx512

@@ -72,11 +72,11 @@ scene::ColorMap built_in_map(const scene::Pattern& pattern) {
   using enum scene::PatternKind;
   const Color black(0, 0, 0), white(1, 1, 1), red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), yellow(1, 1, 0),
       cyan(0, 1, 1), magenta(1, 0, 1);
-  const auto list = [](std::initializer_list<Color> colors) {
+  if (const auto list = scene::built_in_list(pattern.kind); !list.empty()) {
     scene::ColorMap map;
-    for (const Color& c : colors) map.push_back({static_cast<float>(map.size()), c});
+    for (const Color& c : list) map.push_back({static_cast<float>(map.size()), c});
     return map;
-  };
+  }
   switch (pattern.kind) {
     case agate:
       return {{0, white},
@@ -97,18 +97,6 @@ scene::ColorMap built_in_map(const scene::Pattern& pattern) {
       if (const auto* f = std::get_if<scene::FractalParams>(&*pattern.params); f && f->exponent == 2)
         return {{0.001f, black}, {0.001f, cyan}, {0.012f, yellow}, {0.015f, magenta}, {0.1f, cyan}};
       break;
-    case brick:
-      return list({{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}});
-    case checker:
-    case object:
-      return list({blue, green});
-    case hexagon:
-      return list({blue, green, red});
-    case square:
-      return list({red, green, blue, yellow});
-    case triangular:
-    case cubic:
-      return list({red, green, blue, yellow, cyan, magenta});
     default:
       break;
   }

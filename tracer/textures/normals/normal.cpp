@@ -1,5 +1,5 @@
 #include "tracer/textures/normals/normal.h"
-#include "tracer/textures/normals/unusable_normal.h"
+#include "tracer/textures/evaluation/evaluation_faults.h"
 
 #include <iterator>
 

@@ -28,7 +28,7 @@ bool has_wide_form(const CompiledNormal& c) {
   return kind == bumps || kind == dents || kind == wrinkles || kind == ripples || kind == waves;
 }
 
-// waves_bump() for a row.
+// waves_bump() for a batch.
 void add_waves(const CompiledNormal& c, int count, const PointBatch& p, PointBatch& n) {
   using functions::Code, functions::Instruction;
   static_assert(PointBatch::kMax == functions::ProgramKernels::kWide);

@@ -1,6 +1,6 @@
 // The arithmetic of normals that are found for a batch of points (normal_batch.cpp), compiled for several instruction
-// sets. Every lane does the operations of the scalar code in the same order, so all give its bits. Rows are filled up;
-// what stands behind is any number.
+// sets. Every lane does the operations of the scalar code in the same order, so all give its bits. Batches are filled
+// up; what stands behind is any number.
 #pragma once
 
 #include "tracer/simd/instruction_sets.h"

@@ -53,16 +53,16 @@ double hexagon(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   constexpr double kWidth = 0.5, kHeight = 0.866025404, kPeriod = 5.196152424;
   const double x = positive_remainder(std::fabs(p.x) / kWidth, 6);
   const double z = positive_remainder((p.z < 0 ? kPeriod - std::fabs(p.z) : p.z) / kHeight, 6);
-  const int column = static_cast<int>(x), batch = static_cast<int>(z);
+  const int column = static_cast<int>(x), row = static_cast<int>(z);
   static constexpr int kOuter[6] = {0, 1, 1, 2, 2, 0}, kInner[6] = {2, 2, 0, 0, 1, 1};
   static constexpr int kBelow[6] = {0, 2, 1, 0, 2, 1}, kAbove[6] = {2, 1, 0, 2, 1, 0};
-  if (column == 0 || column == 5) return kOuter[batch];
-  if (column == 2 || column == 3) return kInner[batch];
+  if (column == 0 || column == 5) return kOuter[row];
+  if (column == 2 || column == 3) return kInner[row];
   double u = x - column;
-  const double w = z - batch;
-  if ((column + batch) % 2 == 1) u = 1 - u;
+  const double w = z - row;
+  if ((column + row) % 2 == 1) u = 1 - u;
   if (u == 0) u = 1e-4;
-  return w / u < 1 ? kBelow[batch] : kAbove[batch];
+  return w / u < 1 ? kBelow[row] : kAbove[row];
 }
 
 double triangular(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {

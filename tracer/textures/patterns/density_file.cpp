@@ -64,13 +64,13 @@ double density_file(const scene::DensityFileParams& d, const Vec3& p) {
   }
   float column[4];
   for (int x = 0; x < 4; ++x) {
-    float batch[4];
+    float row[4];
     for (int y = 0; y < 4; ++y) {
       float v[4];
       for (int z = 0; z < 4; ++z) v[z] = static_cast<float>(grid(near[0][x], near[1][y], near[2][z]));
-      batch[y] = cubic(v[0], v[1], v[2], v[3], static_cast<float>(f[2]));
+      row[y] = cubic(v[0], v[1], v[2], v[3], static_cast<float>(f[2]));
     }
-    column[x] = cubic(batch[0], batch[1], batch[2], batch[3], static_cast<float>(f[1]));
+    column[x] = cubic(row[0], row[1], row[2], row[3], static_cast<float>(f[1]));
   }
   return std::max(cubic(column[0], column[1], column[2], column[3], static_cast<float>(f[0])), 0.0f);
 }

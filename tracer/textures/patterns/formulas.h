@@ -62,7 +62,7 @@ Vec3 quilt(const QuiltedData& data, const Vec3& p);
 
 // crackle.cpp
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p);
-// The same at the points of a row, which is filled up.
+// The same at the points of a batch, which is filled up.
 void crackle_batch(const CrackleData& data, int noise_generator, int count, const PointBatch& points, double* v);
 // The nearest random cell point by the metric of facets: metric 1 takes the signed sum of the differences (spec
 // 05 10.6).

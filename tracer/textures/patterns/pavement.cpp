@@ -17,7 +17,7 @@ namespace verisim::textures {
 namespace {
 
 struct Measured {
-  int sides, tiles, pattern, columns, batches;
+  int sides, tiles, pattern, columns, rows;
   const char* cells;
 };
 
@@ -31,7 +31,7 @@ constexpr Measured kMeasured[] = {
 };
 
 struct Flags {
-  int columns, batches;
+  int columns, rows;
   std::vector<std::uint16_t> cells;
 };
 
@@ -40,8 +40,8 @@ std::size_t letter(char c) { return static_cast<std::size_t>(c - 35 - (c > '\\' 
 constexpr std::size_t kLetters = 91;
 
 Flags decode(const Measured& m) {
-  Flags flags{m.columns, m.batches, {}};
-  const std::size_t count = static_cast<std::size_t>(m.columns) * m.batches;
+  Flags flags{m.columns, m.rows, {}};
+  const std::size_t count = static_cast<std::size_t>(m.columns) * m.rows;
   const bool two = std::strlen(m.cells) == 2 * count;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t word = two ? letter(m.cells[2 * i]) * kLetters + letter(m.cells[2 * i + 1]) : letter(m.cells[i]);
@@ -70,7 +70,7 @@ int remainder(double v, int n) {
 // upper right.
 double square_pavement(const Pavement& pv, double x, double z) {
   const double i = std::floor(x), j = std::floor(z);
-  const unsigned flags = pv.flags[remainder(j, pv.batches) * pv.columns + remainder(i, pv.columns)];
+  const unsigned flags = pv.flags[remainder(j, pv.rows) * pv.columns + remainder(i, pv.columns)];
   const double u = x - i, w = z - j;
   const bool border[4] = {(flags & 1) != 0, (flags & 2) != 0, (flags & 4) != 0, (flags & 8) != 0};
   double v = 0;
@@ -122,11 +122,11 @@ struct InTriangle {
 // vertex: the sweep in its sector, 0 none, 1 towards vertex k+1, 2 towards vertex k+2.
 double triangle_pavement(const Pavement& pv, double x, double z) {
   const double height = std::sqrt(3.0) / 2, root3 = std::sqrt(3.0);
-  const double batch = std::floor(z / height), up = z / height - batch;
+  const double row = std::floor(z / height), up = z / height - row;
   const double skewed = x - z / (2 * height), column = std::floor(skewed), right = skewed - column;
   const bool inverted = right + up >= 1;
-  const unsigned flags = pv.flags[remainder(batch, pv.batches) * pv.columns +
-                                  remainder(2 * column + batch + (inverted ? 1 : 0), pv.columns)];
+  const unsigned flags =
+      pv.flags[remainder(row, pv.rows) * pv.columns + remainder(2 * column + row + (inverted ? 1 : 0), pv.columns)];
   const InTriangle p{inverted ? std::array<double, 3>{right + up - 1, 1 - right, 1 - up}
                               : std::array<double, 3>{1 - right - up, right, up}};
 
@@ -167,7 +167,7 @@ Pavement compile_pavement(const scene::PavementParams& d) {
   const Flags& flags = flags_of(d.sides, d.tiles, d.pattern);
   const auto byte = [](int v) { return v & 255; };
   return {d.sides,       byte(d.exterior) % 3, byte(d.interior) % 3, byte(d.form) % (d.sides == 4 ? 4 : 3),
-          flags.columns, flags.batches,        flags.cells.data()};
+          flags.columns, flags.rows,           flags.cells.data()};
 }
 
 double evaluate_pavement(const Pavement& pavement, double x, double z) {

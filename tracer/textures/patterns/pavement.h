@@ -11,7 +11,7 @@ namespace verisim::textures {
 // not happen.
 struct Pavement {
   int sides = 3, exterior = 0, interior = 0, form = 0;
-  int columns = 1, batches = 1;
+  int columns = 1, rows = 1;
   const std::uint16_t* flags = nullptr;  // row-major
 };
 

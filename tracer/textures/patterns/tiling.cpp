@@ -389,7 +389,7 @@ double distance_within(const Tile& tile, double x, double z, double least) {
   return nearest;
 }
 
-// The tile that a point of the cell lies in, and how far within; null: the point is no number.
+// The tile that a point of the cell lies in, and how far within; null: the point is NaN.
 std::pair<const Tile*, double> tile_at(const Tiling& t, double x, double z) {
   const Tile* holder = nullptr;
   double distance = -std::numeric_limits<double>::infinity();

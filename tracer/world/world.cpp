@@ -126,11 +126,13 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     rest.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
     s.opaque = s.opaque && rest.extra_textures.back() && rest.extra_textures.back()->opaque;
   }
-  const auto map = [](const textures::CompiledTexture* texture) { return texture && texture->patterned(); };
-  const bool kept = was_flagged_opaque(o, compiler);
-  const bool flagged = kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) &&
-                                !std::ranges::any_of(rest.extra_textures, map));
-  s.opaque = s.opaque || kept;
+  const auto flag = [](const textures::CompiledTexture* texture) { return texture && texture->opaque && !texture->patterned(); };
+  // A mesh is opaque if it is so from outside.
+  const bool from_outside = !s.interior_texture || o.as<scene::Mesh>();
+  const bool flagged = was_flagged_opaque(o, compiler) ||
+                       (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) &&
+                        (from_outside || flag(s.interior_texture)));
+  s.opaque = s.opaque || flagged;
   const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   for (const auto& light : o.group_lights) rest.group_lights.push_back(light.get());

@@ -46,9 +46,9 @@ class Light {
   }
   // If not, attenuation is 1 everywhere.
   bool attenuates() const { return attenuates_; }
-  // Angular and distance attenuation at p for light from `l`.
-  double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const {
-    return attenuates_ ? angle_and_distance(p, l, offset) : 1;
+  // Angular and distance attenuation at p for light from `l`. All samples of an area light shine along one cylinder.
+  double attenuation(const Vec3& p, const LightDirection& l) const {
+    return attenuates_ ? angle_and_distance(p, l) : 1;
   }
 
   // Of a spot light: where it shines with all its strength, and beyond which not at all.
@@ -76,11 +76,11 @@ class Light {
 
  private:
   LightDirection fixed_direction(const Vec3& p, const Vec3& centre) const;
-  double angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const;
+  double angle_and_distance(const Vec3& p, const LightDirection& l) const;
   // What part of the light goes from its centre to p, with distance aside.
-  double profile(const Vec3& p, const LightDirection& l, const Vec3& centre) const;
+  double profile(const Vec3& p, const LightDirection& l) const;
   double spot(const LightDirection& l) const;
-  double cylinder(const Vec3& p, const Vec3& centre) const;
+  double cylinder(const Vec3& p) const;
 
   const scene::LightSource* source_;
   bool area_, parallel_;

@@ -157,9 +157,8 @@ void Tracer::add_area_illumination(const RayState& ray, SurfaceHit& at, const La
     for (int u = 0; u < light.size1(); ++u) {
       double du = u, dv = v;
       if (light.source().jitter) du += random_.shading() - 0.5, dv += random_.shading() - 0.5;
-      const Vec3 offset = light.offset(axes, du, dv);
-      const LightDirection direction = light.direction(p, offset);
-      const Rgb color = scaled(part, light.attenuation(p, direction, offset));
+      const LightDirection direction = light.direction(p, light.offset(axes, du, dv));
+      const Rgb color = scaled(part, light.attenuation(p, direction));
       bool back = false;
       if (!at.surface.double_illuminate && dot(layer.normal, direction.towards) < kEpsilon) {
         if (finish.diffuse_back == 0) continue;

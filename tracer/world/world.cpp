@@ -418,6 +418,11 @@ bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
          });
 }
 
+// A blob or mesh is only asked for those of its components, be there any or not.
+bool has_parts_with_textures(const scene::Object& object) {
+  return object.as<scene::Mesh>() || object.as<std::shared_ptr<const scene::Blob>>();
+}
+
 // A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3): adds all
 // textures that there are.
 void World::Impl::add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const {
@@ -443,6 +448,7 @@ void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textu
   out.clear();
   const Surface& surface = *hit.shape->surface;
   if (!surface.texture && surface.cutaway && surface.extra_textures().empty()) {
+    if (has_parts_with_textures(*surface.object)) return;  // black
     impl_->add_cutaway(*surface.cutaway, hit.point, out);
     for (textures::WeightedTexture& each : out) each.weight = 1 / static_cast<float>(out.size());
     return;

@@ -51,6 +51,10 @@ class Light {
     return attenuates_ ? angle_and_distance(p, l) : 1;
   }
 
+  // Into media an area light with area_illumination shines with all its strength (spec 06 8.3): where its cone or
+  // cylinder is, everywhere.
+  bool attenuates_air() const { return attenuates_ && !(area_ && area_illumination()); }
+
   // Of a spot light: where it shines with all its strength, and beyond which not at all.
   double cos_radius() const { return cos_radius_; }
   double cos_falloff() const { return cos_falloff_; }

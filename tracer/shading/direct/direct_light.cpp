@@ -203,10 +203,11 @@ Rgb Tracer::film_tint(const scene::Finish& finish, double thickness, double cosi
   return iridescence(finish.irid, thickness, cosines, scene_.scene.settings.irid_wavelength);
 }
 
-Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light) {
+Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, bool in_air, Vec3& to_light) {
   const LightDirection direction = light.direction(p);
   to_light = direction.towards;
-  const Rgb color = scaled(light.color(), light.attenuation(p, direction));
+  const bool fades = in_air ? light.attenuates_air() : light.attenuates();
+  const Rgb color = fades ? scaled(light.color(), light.attenuation(p, direction)) : light.color();
   return color.max_abs() < kDark ? Rgb() : shadowed(light, p, direction, ray, nullptr, color);
 }
 

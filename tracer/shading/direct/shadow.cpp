@@ -93,7 +93,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   double behind = 0;  // the projector, to the light
   if (const shapes::Shape* projector = query.light.projector()) {
     shapes::Hit hit;
-    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, distance, hit)) {
+    if (!projector->intersect(ray, shapes::RayKind::shadow, kProjectorTolerance, distance, hit)) {
       color = {};
       return;
     }

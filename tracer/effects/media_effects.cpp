@@ -35,7 +35,7 @@ class MediaSurroundings : public MediaEnvironment {
   }
 
   Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override {
-    return tracer_.light_at(*lights_[light], p, ray_, to_light);
+    return tracer_.light_at(*lights_[light], p, ray_, true, to_light);
   }
 
   NearbyPhotons photons(const Vec3& p) override {

@@ -75,7 +75,7 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
   std::size_t lights() override { return lights_.size(); }
 
   bool illumination(std::size_t light, const Vec3& p, Rgb& color, Vec3& to_light) override {
-    color = tracer_.light_at(*lights_[light], p, ray_, to_light);
+    color = tracer_.light_at(*lights_[light], p, ray_, false, to_light);
     return color.max_abs() > 0.0f;
   }
 

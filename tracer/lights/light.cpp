@@ -53,20 +53,20 @@ double raised(double base, double exponent) {
 
 }  // namespace
 
-double Light::angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const {
-  double a = source_->has_beam() ? profile(p, l, source_->position + offset) : 1;
+double Light::angle_and_distance(const Vec3& p, const LightDirection& l) const {
+  double a = source_->has_beam() ? profile(p, l) : 1;
   if (a == 0) return 0;
   if (source_->fade_power > 0 && std::fabs(source_->fade_distance) > kEpsilon)
     a *= 2 / (1 + raised(l.distance / source_->fade_distance, source_->fade_power));
   return a;
 }
 
-double Light::profile(const Vec3& p, const LightDirection& l, const Vec3& centre) const {
+double Light::profile(const Vec3& p, const LightDirection& l) const {
   switch (source_->kind) {
     case scene::LightKind::spotlight:
       return spot(l);
     case scene::LightKind::cylinder:
-      return cylinder(p, centre);
+      return cylinder(p);
     case scene::LightKind::point:
     case scene::LightKind::shadowless:
       break;
@@ -82,8 +82,8 @@ double Light::spot(const LightDirection& l) const {
   return a;
 }
 
-double Light::cylinder(const Vec3& p, const Vec3& centre) const {
-  const Vec3 from = p - centre;
+double Light::cylinder(const Vec3& p) const {
+  const Vec3 from = p - source_->position;
   const double k = dot(from, source_->direction);
   if (k <= 0) return 0;
   const double l = length(from - source_->direction * k);
@@ -99,7 +99,7 @@ double Light::emission(const Vec3& origin, const Vec3& direction) const {
   // (spec 07 3.5).
   const bool outside =
       source_->kind == scene::LightKind::spotlight && dot(direction, source_->direction) < cos_falloff_;
-  return outside ? 0 : profile(origin + direction, {-direction, 1.0}, source_->position);
+  return outside ? 0 : profile(origin + direction, {-direction, 1.0});
 }
 
 Light::Axes Light::axes(const Vec3& l) const {

@@ -9,6 +9,7 @@
 
 namespace verisim::shading {
 
+constexpr double kProjectorTolerance = 1e-4;  // from the shaded point to what the light is projected through
 constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
 // What blocks a light altogether counts from here on: POV-Ray's shadow cache, which asks the last blocker first, heeds
 // no other limit, and the blocker of a point in a contact shadow is mostly that of the point before it (spec 06 9.2).
@@ -46,10 +47,14 @@ class Light {
   }
   // If not, attenuation is 1 everywhere.
   bool attenuates() const { return attenuates_; }
-  // Angular and distance attenuation at p for light from `l`.
-  double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const {
-    return attenuates_ ? angle_and_distance(p, l, offset) : 1;
+  // Angular and distance attenuation at p for light from `l`. All samples of an area light shine along one cylinder.
+  double attenuation(const Vec3& p, const LightDirection& l) const {
+    return attenuates_ ? angle_and_distance(p, l) : 1;
   }
+
+  // Into media an area light with area_illumination shines with all its strength (spec 06 8.3): where its cone or
+  // cylinder is, everywhere.
+  bool attenuates_air() const { return attenuates_ && !(area_ && area_illumination()); }
 
   // Of a spot light: where it shines with all its strength, and beyond which not at all.
   double cos_radius() const { return cos_radius_; }
@@ -76,11 +81,11 @@ class Light {
 
  private:
   LightDirection fixed_direction(const Vec3& p, const Vec3& centre) const;
-  double angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const;
+  double angle_and_distance(const Vec3& p, const LightDirection& l) const;
   // What part of the light goes from its centre to p, with distance aside.
-  double profile(const Vec3& p, const LightDirection& l, const Vec3& centre) const;
+  double profile(const Vec3& p, const LightDirection& l) const;
   double spot(const LightDirection& l) const;
-  double cylinder(const Vec3& p, const Vec3& centre) const;
+  double cylinder(const Vec3& p) const;
 
   const scene::LightSource* source_;
   bool area_, parallel_;

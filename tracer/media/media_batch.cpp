@@ -275,7 +275,9 @@ void MediaBatch::add_light(std::size_t number, std::span<const Question> questio
   shading::aim_at(light, count, packet.to_light, packet.distance);
   // What arrives: nothing is asked where that is dark.
   double attenuation[MediaPacket::kSize];
-  if (const auto falloff = light.attenuates() ? shading::LightFalloff::of(light) : std::nullopt) {
+  if (!light.attenuates_air()) {
+    std::fill_n(attenuation, count, 1.0);
+  } else if (const auto falloff = shading::LightFalloff::of(light)) {
     falloff->attenuate(packet.to_light.direction, packet.distance, count, attenuation);
   } else {
     for (int k = 0; k < count; ++k)

@@ -94,12 +94,12 @@ void MediaIntervals::look_for_lights(std::span<const scene::LightSource* const> 
   }
 }
 
-void MediaIntervals::push(double start, double end, bool lit, int count) {
-  // Where the end of the last interval is rounded to below the piece's, another one of hardly any length follows. It
-  // draws numbers, in POV-Ray as well, but lights are not looked at in it.
+void MediaIntervals::push(double start, double end, bool lit, int count, bool last) {
+  // Where the end of the ray's last interval is rounded to below the ray's, another one of hardly any length follows.
+  // It draws numbers, in POV-Ray as well, but lights are not looked at in it.
   const double step = (end - start) / count;
   int n = 0;
-  for (double s = start; s < end && n <= count && count_ < kMax; s = start + ++n * step)
+  for (double s = start; s < end && n < count + last && count_ < kMax; s = start + ++n * step)
     intervals_[static_cast<std::size_t>(count_++)] = {s, n < count ? step : end - s, lit && n < count};
 }
 
@@ -133,7 +133,7 @@ void MediaIntervals::divide(const MediaMixture& mixture, double length) {
   const int piece_count = static_cast<int>(count);
   const int wanted = std::min(std::max(mixture.control->intervals, piece_count), kMaxIntervals);
   if (count == 1) {
-    push(0.0, length, pieces[0].lit, !pieces[0].lit && !mixture.has_density ? 1 : wanted);
+    push(0.0, length, pieces[0].lit, !pieces[0].lit && !mixture.has_density ? 1 : wanted, true);
     return;
   }
   double total = 0.0;
@@ -144,7 +144,7 @@ void MediaIntervals::divide(const MediaMixture& mixture, double length) {
     const Piece& piece = pieces[static_cast<std::size_t>(i)];
     const int n =
         std::max(1, std::min(static_cast<int>(weight(piece) / total * wanted) + 1, remaining - piece_count + i + 1));
-    push(piece.start, piece.end, piece.lit, n);
+    push(piece.start, piece.end, piece.lit, n, i + 1 == piece_count);
     remaining -= n;
   }
 }

@@ -55,9 +55,10 @@ class MediaIntervals {
  private:
   static constexpr int kMaxIntervals = 256;  // POV-Ray stops the render beyond
   static constexpr int kMaxLights = 256;
-  static constexpr int kMax = kMaxIntervals + 2 * kMaxLights + 1;  // one more by rounding for every piece
+  static constexpr int kMax = kMaxIntervals + 2 * kMaxLights + 1;  // one more by rounding
 
-  void push(double start, double end, bool lit, int count);
+  // `last`: of the ray's pieces.
+  void push(double start, double end, bool lit, int count, bool last);
 
   int lit_count_ = 0, count_ = 0;
   std::array<LitRange, kMaxLights> lit_;

@@ -126,7 +126,7 @@ Rgb PathTracer::light_source(const Walk& walk, shading::SurfaceHit& at, const La
     offset = light.offset(light.axes(light.direction(p).towards), u.x * (light.size1() - 1), u.y * (light.size2() - 1));
   }
   const shading::LightDirection to = light.direction(p, offset);
-  const Rgb color = light.color() * static_cast<float>(light.attenuation(p, to, offset));
+  const Rgb color = light.color() * static_cast<float>(light.attenuation(p, to));
   if (color == Rgb()) return {};
   Rgb reflected;
   for (const Layer& l : layers) {

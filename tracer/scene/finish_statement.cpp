@@ -144,7 +144,7 @@ class Walk {
 
   void children(Object& parent) {
     // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec
-    // 03 5.3).
+    // 03 5.3), and of these not texts, which are unions of letters.
     auto* csg = std::get_if<Csg>(&parent.shape);
     const bool keeps_untextured = parent.cutaway_textures && csg && csg->kind == CsgKind::intersection;
     for (ObjectPtr& pointer : own_children(parent)) {
@@ -157,7 +157,7 @@ class Walk {
       } else {
         interior_is_inherited = false;
       }
-      object(child, keeps_untextured);
+      object(child, keeps_untextured && !child.as<std::shared_ptr<const Text>>());
       interior_is_inherited = saved;
     }
     parent.no_shadow = parent.no_shadow || is_shadowless_union(parent);

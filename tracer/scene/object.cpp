@@ -158,7 +158,7 @@ void move_light(LightSource& light, const TransformSteps& steps) {
     const Transform& t = steps[i].t;
     light.position = t.point(light.position);
     light.point_at = t.point(light.point_at);
-    light.direction = t.direction(light.direction);
+    if (light.direction != Vec3(0)) light.direction = normalize(t.direction(light.direction));
     light.axis1 = t.direction(light.axis1);
     light.axis2 = t.direction(light.axis2);
   }

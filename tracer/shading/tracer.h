@@ -120,9 +120,9 @@ class Tracer {
   // follow (spec 02 2.1).
   bool& lens_is_hollow() { return lens_is_hollow_; }
 
-  // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets
-  // the unit direction towards it.
-  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
+  // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media, whose
+  // points lie `in_air`, and what is below a surface); sets the unit direction towards it.
+  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, bool in_air, Vec3& to_light);
   // The same for a point of a surface, with area sampling; `lit` may be null.
   Rgb shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray,
                const shapes::Surface* lit, Rgb color);

@@ -134,11 +134,13 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     rest.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
     s.opaque = s.opaque && rest.extra_textures.back() && rest.extra_textures.back()->opaque;
   }
-  const auto map = [](const textures::CompiledTexture* texture) { return texture && texture->patterned(); };
-  const bool kept = was_flagged_opaque(o, compiler);
-  const bool flagged = kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) &&
-                                !std::ranges::any_of(rest.extra_textures, map));
-  s.opaque = s.opaque || kept;
+  const auto flag = [](const textures::CompiledTexture* texture) { return texture && texture->opaque && !texture->patterned(); };
+  // A mesh is opaque if it is so from outside.
+  const bool from_outside = !s.interior_texture || o.as<scene::Mesh>();
+  const bool flagged = was_flagged_opaque(o, compiler) ||
+                       (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) &&
+                        (from_outside || flag(s.interior_texture)));
+  s.opaque = s.opaque || flagged;
   const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   for (const auto& light : o.group_lights) rest.group_lights.push_back(light.get());
@@ -425,6 +427,11 @@ bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
          });
 }
 
+// A blob or mesh is only asked for those of its components, be there any or not.
+bool has_parts_with_textures(const scene::Object& object) {
+  return object.as<scene::Mesh>() || object.as<std::shared_ptr<const scene::Blob>>();
+}
+
 // A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3): adds all
 // textures that there are.
 void World::Impl::add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const {
@@ -450,6 +457,7 @@ void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textu
   out.clear();
   const Surface& surface = *hit.shape->surface;
   if (!surface.texture && surface.cutaway && surface.extra_textures().empty()) {
+    if (has_parts_with_textures(*surface.object)) return;  // black
     impl_->add_cutaway(*surface.cutaway, hit.point, out);
     for (textures::WeightedTexture& each : out) each.weight = 1 / static_cast<float>(out.size());
     return;

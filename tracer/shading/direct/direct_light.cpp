@@ -157,9 +157,8 @@ void Tracer::add_area_illumination(const RayState& ray, SurfaceHit& at, const La
     for (int u = 0; u < light.size1(); ++u) {
       double du = u, dv = v;
       if (light.source().jitter) du += random_.shading() - 0.5, dv += random_.shading() - 0.5;
-      const Vec3 offset = light.offset(axes, du, dv);
-      const LightDirection direction = light.direction(p, offset);
-      const Rgb color = scaled(part, light.attenuation(p, direction, offset));
+      const LightDirection direction = light.direction(p, light.offset(axes, du, dv));
+      const Rgb color = scaled(part, light.attenuation(p, direction));
       bool back = false;
       if (!at.surface.double_illuminate && dot(layer.normal, direction.towards) < kEpsilon) {
         if (finish.diffuse_back == 0) continue;
@@ -204,10 +203,11 @@ Rgb Tracer::film_tint(const scene::Finish& finish, double thickness, double cosi
   return iridescence(finish.irid, thickness, cosines, scene_.scene.settings.irid_wavelength);
 }
 
-Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light) {
+Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, bool in_air, Vec3& to_light) {
   const LightDirection direction = light.direction(p);
   to_light = direction.towards;
-  const Rgb color = scaled(light.color(), light.attenuation(p, direction));
+  const bool fades = in_air ? light.attenuates_air() : light.attenuates();
+  const Rgb color = fades ? scaled(light.color(), light.attenuation(p, direction)) : light.color();
   return color.max_abs() < kDark ? Rgb() : shadowed(light, p, direction, ray, nullptr, color);
 }
 

@@ -89,7 +89,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& c
   const Ray ray = segment.ray;
   if (const shapes::Shape* projector = query.light.projector()) {
     shapes::Hit hit;
-    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, segment.length, hit)) {
+    if (!projector->intersect(ray, shapes::RayKind::shadow, kProjectorTolerance, segment.length, hit)) {
       color = {};
       return;
     }

@@ -76,8 +76,8 @@ class Torus final : public SearchPrimitive<Torus> {
     double roots[4];
     const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
     for (int i = n - 1; i >= 0; --i) {
-      const double depth = (roots[i] + advance) / scale;
-      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+      const double t = roots[i] + advance, depth = t / scale;  // neither may be too far
+      if (t < kFarthest && depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
     }
   }
 

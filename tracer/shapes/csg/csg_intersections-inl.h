@@ -207,7 +207,7 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
                                        (z >= prism.outline.min.y) & (z <= prism.outline.max.y);
     if ((bits(near) & s.open) == 0) continue;
     const Number depth = t / scale;
-    if (unsigned lanes = wanted(s, depth, near & reach(depth)); lanes != 0) {
+    if (unsigned lanes = wanted(s, depth, near & reach(t) & reach(depth)); lanes != 0) {
       lanes = covered(n, lanes, x, z);
       if (lanes != 0) consider_on_ray(s, n, depth, lanes, IntsFor<Number>(kCap));
     }

@@ -132,7 +132,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     const Vec3 &o = l.origin, &d = l.direction;
     const auto report = [&](double t, std::int32_t part, double w) {
       const double depth = t / l.scale;
-      if (depth > kNearest && depth < kFarthest)
+      if (within_reach(depth))
         sink.add(
             depth, [&] { return ray.origin + depth * ray.direction; }, part, w);
     };
@@ -146,6 +146,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
           if (conic_ && std::fabs(h) <= kEpsilon) continue;
           const double t = (h - o.y) / d.y, size = conic_ ? h : 1;
           if (!(t >= sink.lower() * l.scale * (1 - 1e-9) && t <= sink.upper() * l.scale * (1 + 1e-9))) continue;
+          if (!within_reach(t)) continue;  // of caps, not of walls
           if (covers((o.x + t * d.x) / size, (o.z + t * d.z) / size)) report(t, kCap, 0);
         }
       }

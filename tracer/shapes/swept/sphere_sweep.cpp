@@ -289,8 +289,9 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
       return a.segment < b.segment;
     });
     const auto add = [&](const Intersection& c) {
-      if (!(c.t > tolerance_)) return;
-      add_found(sink, c.t / l.scale, l.origin + c.t * l.direction, moved_by(), c.segment * 4 + c.part, c.u);
+      const double depth = c.t / l.scale;
+      if (!(depth > tolerance_)) return;
+      add_found(sink, depth, l.origin + c.t * l.direction, moved_by(), c.segment * 4 + c.part, c.u);
     };
     add(all[0]);
     int depth = 1;

@@ -17,7 +17,8 @@ struct StraightSegment {
 class StraightPrism {
  public:
   static constexpr std::size_t kMaxSegments = 16;
-  static constexpr double kNearest = 1e-4, kFarthest = 1e7;
+  static constexpr double kNearest = 1e-4, kFarthest = 1e7;  // of depths; those of caps in the prism's own space, too
+  static bool within_reach(double t) { return t > kNearest && t < kFarthest; }
 
   struct Walls {
     const Transform* matrix;  // null: none

@@ -31,12 +31,11 @@ struct CompileParams {
     SlopeData s;
     s.point_at = p.point_at;
     const double direction = length(p.direction), altitude = length(p.altitude);
-    s.direction = p.point_at || direction == 0 ? p.direction : p.direction / direction;
+    s.direction = p.point_at || direction == 0 ? p.direction : normalize(p.direction);
     s.has_altitude = altitude != 0 && !p.point_at;
-    if (s.has_altitude) {
-      s.altitude = p.altitude / altitude;
-      s.slope_weight = direction / (direction + altitude);
-    }
+    if (s.has_altitude) s.altitude = normalize(p.altitude);
+    // POV-Ray keeps the sum in single precision, also where there is no altitude: then it may be a little off 1.
+    if (!p.point_at) s.slope_weight = direction / static_cast<double>(static_cast<float>(direction + altitude));
     s.slope_low = p.slope_low;
     s.slope_width = p.slope_high - p.slope_low;
     s.altitude_low = p.altitude_low;

@@ -23,7 +23,7 @@ double formulas::slope(const CompiledPattern& c, const Vec3& p, const SurfacePoi
   if (s.point_at) direction = normalize(s.direction - surface->point);
   const double cosine = std::clamp(dot(surface->normal, direction), -1.0, 1.0);
   double v = into_range(0.5 + std::asin(cosine) / std::numbers::pi, s.slope_low, s.slope_width);
-  if (!s.has_altitude) return wrap(v);
+  if (!s.has_altitude) return wrap(s.slope_weight * v);
   const double height = into_range(dot(p, s.altitude), s.altitude_low, s.altitude_width);
   v = s.slope_weight * v + (1 - s.slope_weight) * height;
   if (v >= 1 && v < 1 + kEpsilon) return v - kEpsilon;
@@ -32,7 +32,7 @@ double formulas::slope(const CompiledPattern& c, const Vec3& p, const SurfacePoi
 
 double formulas::aoi(const CompiledPattern&, const Vec3&, const SurfacePoint* surface) {
   if (!surface) return 0;
-  return std::acos(std::clamp(dot(surface->normal, surface->ray_direction), -1.0, 1.0)) / std::numbers::pi;
+  return std::acos(std::clamp(dot(normalize(surface->normal), normalize(surface->ray_direction)), -1.0, 1.0)) / std::numbers::pi;
 }
 
 }  // namespace verisim::textures

@@ -169,8 +169,8 @@ bool PathTracer::through_media(Walk& walk, double length, Sequence& sequence, Rg
                                                     u.y * (light.size2() - 1))
                                      : Vec3(0, 0, 0);
     const shading::LightDirection to = light.direction(p, offset);
-    const Rgb color = light.color() * static_cast<float>(light.attenuation(p, to) *
-                                                         global::phase(medium, dot(to.towards, view)));
+    const Rgb color =
+        light.color() * static_cast<float>(light.attenuation(p, to) * global::phase(medium, dot(to.towards, view)));
     if (color.max_abs() > 0)
       sum += walk.weight * visible(walk.ray, nullptr, light, p, to.towards, to.distance, color, sequence);
   }

@@ -67,8 +67,7 @@ Mirror mirror_of(const scene::Reflection& reflection, const Rgb& pigment, double
       rho = scaled(reflection.maximum, x) + scaled(reflection.minimum, 1 - x);
     }
   }
-  const float strength =
-      reflection.fresnel ? rho.max() : std::max(reflection.minimum.max(), reflection.maximum.max());
+  const float strength = reflection.fresnel ? rho.max() : std::max(reflection.minimum.max(), reflection.maximum.max());
   if (reflection.metallic != 0) {
     // Unlike the tint of highlights, that of mirrors is not rounded by itself.
     const double m = reflection.metallic * (1 - metallic_fresnel(cosine));

@@ -134,12 +134,14 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     rest.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
     s.opaque = s.opaque && rest.extra_textures.back() && rest.extra_textures.back()->opaque;
   }
-  const auto flag = [](const textures::CompiledTexture* texture) { return texture && texture->opaque && !texture->patterned(); };
+  const auto flag = [](const textures::CompiledTexture* texture) {
+    return texture && texture->opaque && !texture->patterned();
+  };
   // A mesh is opaque if it is so from outside.
   const bool from_outside = !s.interior_texture || o.as<scene::Mesh>();
-  const bool flagged = was_flagged_opaque(o, compiler) ||
-                       (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) &&
-                        (from_outside || flag(s.interior_texture)));
+  const bool flagged =
+      was_flagged_opaque(o, compiler) ||
+      (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) && (from_outside || flag(s.interior_texture)));
   s.opaque = s.opaque || flagged;
   const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;

@@ -77,7 +77,8 @@ class Torus final : public SearchPrimitive<Torus> {
     const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
     for (int i = n - 1; i >= 0; --i) {
       const double t = roots[i] + advance, depth = t / scale;  // neither may be too far
-      if (t < kFarthest && depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+      if (t < kFarthest && depth > kNearest && depth < kFarthest)
+        sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
     }
   }
 

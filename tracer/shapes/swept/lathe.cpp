@@ -36,7 +36,8 @@ std::vector<CurveSegment> segments_of(const scene::Lathe& lathe) {
       for (std::size_t i = 0; i + 2 < n; ++i) segments.push_back(CurveSegment::quadratic(p[i], p[i + 1], p[i + 2]));
       break;
     case scene::SplineKind::bezier:
-      for (std::size_t i = 0; i + 3 < n; i += 4) segments.push_back(CurveSegment::bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
+      for (std::size_t i = 0; i + 3 < n; i += 4)
+        segments.push_back(CurveSegment::bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
       break;
     default:
       for (std::size_t i = 0; i + 3 < n; ++i)

@@ -76,8 +76,7 @@ Vec3 nearest_point(const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
   int nearest = 0;
   for (int i = 0; i < cell.count; ++i) {
-    const double x = cell.x[i] - p.x, y = cell.y[i] - p.y, z = cell.z[i] - p.z,
-                 s = x * x + y * y + z * z;
+    const double x = cell.x[i] - p.x, y = cell.y[i] - p.y, z = cell.z[i] - p.z, s = x * x + y * y + z * z;
     if (s < least) least = s, nearest = i;
   }
   return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]);

@@ -8,7 +8,8 @@
 namespace verisim::textures {
 
 // Points in the order in which POV-Ray's 81 cells are looked at here; those that cannot be among the three nearest of
-// any place in the cell are left out. Where they are, not where in the cell: differences have POV-Ray's bits. Filled up to a multiple of 8 with points far away.
+// any place in the cell are left out. Where they are, not where in the cell: differences have POV-Ray's bits. Filled up
+// to a multiple of 8 with points far away.
 struct alignas(64) CrackleCell {
   static constexpr int kMax = 88;
   double x[kMax], y[kMax], z[kMax];

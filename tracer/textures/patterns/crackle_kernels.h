@@ -22,8 +22,8 @@ struct CrackleKernels {
   void (*sums_of_eight)(const CrackleCell& cell, CrackleEight& at);
   // The pattern's values from the distances of eight points: by metric 2 (`roots`) or 1.
   void (*in_form)(const CrackleEight& at, const double* form, double offset, bool roots, double* values);
-  // Of points relative to the cell's corner: at_least[i], how near point i can be to a place in the cell. Returns the distance within which three points are
-  // from every place.
+  // Of points relative to the cell's corner: at_least[i], how near point i can be to a place in the cell. Returns the
+  // distance within which three points are from every place.
   double (*bound_squares)(const CrackleCell& cell, double* at_least);
   double (*bound_sums)(const CrackleCell& cell, double* at_least);
 };

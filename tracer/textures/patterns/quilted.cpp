@@ -16,8 +16,7 @@ double centred_fraction(double v) {
 Vec3 quilt(const QuiltedData& data, const Vec3& p) {
   const Vec3 u(centred_fraction(p.x), centred_fraction(p.y), centred_fraction(p.z));
   const double r = length(u), s = 1 - r;
-  const double q =
-      1.154700538 * (r * r * r + 3 * r * (s * s) * data.control0 + 3 * (r * r) * s * data.control1);
+  const double q = 1.154700538 * (r * r * r + 3 * r * (s * s) * data.control0 + 3 * (r * r) * s * data.control1);
   return q * u;
 }
 

@@ -32,7 +32,8 @@ double formulas::slope(const CompiledPattern& c, const Vec3& p, const SurfacePoi
 
 double formulas::aoi(const CompiledPattern&, const Vec3&, const SurfacePoint* surface) {
   if (!surface) return 0;
-  return std::acos(std::clamp(dot(normalize(surface->normal), normalize(surface->ray_direction)), -1.0, 1.0)) / std::numbers::pi;
+  return std::acos(std::clamp(dot(normalize(surface->normal), normalize(surface->ray_direction)), -1.0, 1.0)) /
+         std::numbers::pi;
 }
 
 }  // namespace verisim::textures

@@ -79,7 +79,7 @@ double ridge(Vec3 p, const double* a) {
   const double fraction = a[1] - std::trunc(a[1]);
   if (fraction != 0) {
     weight *= omega, frequency *= lambda;
-    sum += fraction * weight * term(frequency), weights += fraction * weight;
+    sum += fraction * (weight * term(frequency)), weights += fraction * weight;
   }
   return sum * (1 / std::max(offset, 1 - offset)) / weights;
 }

@@ -24,6 +24,8 @@ bool is_empty_csg(const Object& object) {
 // Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before
 // it is changed.
 bool has_texture_anywhere(const Object& object, SharedLists& seen) {
+  // POV-Ray forgets of CSG that is inverted, be it once or twice, that it holds textures (spec 03 5.3).
+  if (object.was_inverted && (has_children(object) || object.as<std::shared_ptr<const Text>>())) return false;
   if (object.texture) return true;
   if (!seen.first(object)) return false;
   for (const ObjectPtr& child : declared_children(object)) {

@@ -398,7 +398,7 @@ void invert(Object& object) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
     csg->kind = csg->kind == CsgKind::intersection ? CsgKind::merge : CsgKind::intersection;
     for (ObjectPtr& child : own_children(object)) invert(writable(child));
-    object.inverted = !object.inverted;
+    object.inverted = !object.inverted, object.was_inverted = true;
     return;
   }
   if (auto* plane = std::get_if<Plane>(&object.shape)) {
@@ -412,7 +412,7 @@ void invert(Object& object) {
     quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
     quadric->constant = -quadric->constant;
   }
-  object.inverted = !object.inverted;
+  object.inverted = !object.inverted, object.was_inverted = true;
 }
 
 void finish_modifiers(Object& object) {

@@ -322,7 +322,7 @@ struct Object {
   // gone that way, too (spec 08 E).
   Rare<Transform> solid_steps;
   InteriorPtr interior;
-  bool inverted = false;
+  bool inverted = false, was_inverted = false;  // now; ever
   bool copied = false;            // made from another object, not written in place
   Flag hollow = Flag::unset;      // as written for this object
   bool hollow_inherited = false;  // as written for a CSG object around it

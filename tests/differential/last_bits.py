@@ -238,6 +238,28 @@ SCENES |= {
     "radiosity_importance": gathered("pretrace_start 0.08 pretrace_end 0.08 recursion_limit 2",
                                      more=SLAB.replace("pigment", "radiosity { importance 0.3 } pigment")),
     "radiosity_levels": gathered("pretrace_start 0.08 pretrace_end 0.08 recursion_limit 2", more=SLAB),
+    "scaled_prism": plain(more=FLOOR + "prism { cubic_spline 0, 1, 7 <-1, -1> <0, -1> <1, 0> <0.5, 1> <-0.5, 0.5> <0, -1> <1, 0> "
+                          "scale 1e5 translate -1.2*y pigment { rgb z } } "),
+    "mesh_with_inside": plain(more=FLOOR + "mesh { triangle { <0, 2, -2>, <2, 2, -2>, <1, 2.5, 0> } pigment { rgb x } "
+                              "interior_texture { pigment { rgbt <1, 1, 0, 0.7> } } } "),
+    "moved_spotlight": plain(light="#declare L = light_source { <2, 3.5, -2.5> rgb 1 spotlight radius 8 falloff 14 point_at 0 } "
+                             "object { L scale 2 } "),
+    "area_cylinder": with_light("cylinder radius 0.8 falloff 2.3 point_at 0 area_light <2, 0, 0>, <0, 0, 2>, 3, 3 "
+                                "area_illumination"),
+    "media_area_illumination": wall("media { scattering { 1, 0.06 } } ", "spotlight radius 10 falloff 20 point_at <0, 0, 1> "
+                                    "fade_distance 3 fade_power 2 area_light x, y, 2, 2 area_illumination "),
+    "media_method_1_spot": wall("media { scattering { 1, 0.03 } method 1 intervals 1 samples 1, 1 } ",
+                                "spotlight radius 5 falloff 20 point_at <0.3, 0, 1> "),
+    "cut_by_blob": plain(more=FLOOR + "intersection { box { <0, -1, -2>, <2, 0.3, -1> pigment { rgb x } } blob { threshold 0.5 "
+                         "sphere { <1, 0, -1.5>, 1.2, 1 } } cutaway_textures } "),
+    "cut_by_inverted": plain(more=FLOOR + "#default { pigment { rgb <1, 0.7, 0> } } difference { box { <0, -1, -2>, <2, 0.3, -1> } "
+                             "merge { sphere { <1, 0.3, -2>, 0.6 pigment { rgb x } } } cutaway_textures } "),
+    "pattern_aoi": floor("aoi frequency 1e5"),
+    "pattern_aoi_no_bump_scale": floor("aoi } normal { bumps 0.7 no_bump_scale "),
+    "pattern_slope_slanting": floor("slope { <1, 2, 0.3> altitude <0.1, 1, 0.3> } frequency 1e5"),
+    "pattern_slope_straight": floor("slope <0, 0.7, 0> color_map { [0 rgb x] [1 rgb y] }"),
+    "projected_from_near": plain(light="light_source { <0, 10, 0> rgb 1 projected_through { box { -9, <9, -1.3, 9> } } } ",
+                                 more="plane { <0.003, 1, 0>, -1.303 pigment { rgb 1 } } "),
 }
 SCENES["photons"] = (
     SCENES["photons"][0].replace("sphere { 0, 1.3", "sphere { 0, 1.3 photons { target reflection on }")

@@ -203,6 +203,7 @@ struct Parser::Impl {
   [[noreturn]] void missing_include(const std::string& name, Spot at);
   void allow_read(const std::filesystem::path& path);
   void open_search(std::filesystem::path scene_folder);
+  void end_if_failed() const;  // a scene with errors does nothing more than to name them: called before it writes
   void fopen();
   void fclose();
   void read();

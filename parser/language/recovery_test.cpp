@@ -1,6 +1,10 @@
 // Several errors in one run: which are named, and that consequences of the first are not.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
 #include "parser/parse.h"
 
 namespace verisim::parser {
@@ -79,6 +83,22 @@ TEST(Recovery, NothingIsWrittenAfterAnError) {
       parse_text("sphere { 0, oops }\n#fopen F \"written.txt\" write\n#write (F, 1)", "scene.pov", {});
   EXPECT_EQ(result.errors.size(), 1u);
   EXPECT_FALSE(std::filesystem::exists("written.txt"));
+}
+
+TEST(Recovery, WhatWasBegunBeforeAnErrorGetsNoMore) {
+  std::string printed;
+  ParseOptions options;
+  options.debug = [&](const std::string& text) { printed += text; };
+  const ParseResult result = parse_text(
+      "#fopen F \"begun.txt\" write\n#write (F, \"one\")\n#debug \"one\"\nsphere { 0, oops }\n#debug \"two\"\n"
+      "#write (F, \"two\")\nbox { 0, bad }",
+      "scene.pov", options);
+  EXPECT_EQ(result.errors.size(), 1u);
+  EXPECT_EQ(printed, "one");
+  std::stringstream text;
+  text << std::ifstream("begun.txt").rdbuf();
+  EXPECT_EQ(text.str(), "one");
+  std::filesystem::remove("begun.txt");
 }
 
 TEST(RecursiveFunctions, CallThemselves) {

@@ -323,9 +323,9 @@ struct Object {
   Rare<Transform> solid_steps;
   InteriorPtr interior;
   bool inverted = false, was_inverted = false;  // now; ever
-  bool copied = false;            // made from another object, not written in place
-  Flag hollow = Flag::unset;      // as written for this object
-  bool hollow_inherited = false;  // as written for a CSG object around it
+  bool copied = false;                          // made from another object, not written in place
+  Flag hollow = Flag::unset;                    // as written for this object
+  bool hollow_inherited = false;                // as written for a CSG object around it
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;
   bool uv_mapping = false, sturm = false, hierarchy = true, split_union = true, cutaway_textures = false;
   float radiosity_importance = -1;  // < 0: the scene's default

@@ -52,6 +52,10 @@ constexpr std::size_t kBlockOfDisk = 4096;
 
 }  // namespace
 
+void Parser::Impl::end_if_failed() const {
+  if (!report.errors.empty()) throw ParseError{{}, true};
+}
+
 void Parser::Impl::fopen() {
   const Token name = take_raw();
   if (name.kind != TokenKind::identifier) {
@@ -71,7 +75,7 @@ void Parser::Impl::fopen() {
     handle->input = load(*found, found->string(), false);
   } else if (mode.word == Word::write || mode.word == Word::append) {
     skip_token();
-    if (!report.errors.empty()) throw ParseError{{}, true};  // a scene with errors does nothing more than to name them
+    end_if_failed();
     handle->path = parser.writable_file(file_name);
     if (!confinement.may_write(kBlockOfDisk)) fatal(Code::size_limit, confinement.refusal());
     handle->output.open(handle->path, std::ios::binary | (mode.word == Word::append ? std::ios::app : std::ios::trunc));
@@ -233,6 +237,7 @@ void Parser::Impl::write() {
   }
   const auto handle = std::get<std::shared_ptr<FileHandle>>(symbol->value());
   if (!handle->output.is_open()) error(Code::file_failed, "The file is not open for writing.");
+  end_if_failed();
   std::ofstream& out = handle->output;
   if (peek().punctuation == ',') skip_token();
   while (peek().punctuation != ')') {

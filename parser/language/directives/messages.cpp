@@ -272,7 +272,7 @@ void Parser::Impl::text_directive(Word word) {
       break;
   }
   if (!confinement.may_write(text.size())) fatal(Code::size_limit, confinement.refusal());
-  if (options.debug) options.debug(text);
+  if (options.debug && report.errors.empty()) options.debug(text);  // POV-Ray ended before
 }
 
 // ---- The public face ----

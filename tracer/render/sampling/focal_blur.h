@@ -75,7 +75,7 @@ class FocalBlur {
   int minimum_;
   double aperture_, focal_scale_;  // focal distance over the length of the direction
   Vec3 location_, lens_x_, lens_y_;
-  Vec2 lens_extent_;  // no ray starts further from the centre, along either axis
+  Vec2 lens_extent_{0, 0};  // no ray starts further from the centre, along either axis
 };
 
 }  // namespace verisim::render

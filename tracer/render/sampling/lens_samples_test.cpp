@@ -1,7 +1,10 @@
 // Jitter and lens positions against the numbers of spec 02.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "tracer/render/sampling/focal_blur.h"
 #include "tracer/render/sampling/jitter.h"
@@ -41,6 +44,18 @@ TEST(FocalBlur, LensPositionsLieOnTheLensAndDiffer) {
                           : 0.5 / std::sqrt(n),
                 1e-12);
   }
+}
+
+// Vectors have no value of their own at first: what lies where the lens is made must not count.
+TEST(FocalBlur, LensIsAsSmallAsItsAperture) {
+  scene::Camera camera;
+  camera.aperture = 0.5, camera.blur_samples = 128;
+  std::vector<double> room(sizeof(FocalBlur) / sizeof(double) + 2, 1e3);
+  FocalBlur* const blur = std::construct_at(reinterpret_cast<FocalBlur*>(room.data()), camera, nullptr);
+  const Vec3 size = blur->lens().max - blur->lens().min;
+  EXPECT_LE(std::max({size.x, size.y, size.z}), 0.5);
+  EXPECT_GE(std::max({size.x, size.y, size.z}), 0.25);
+  std::destroy_at(blur);
 }
 
 }  // namespace

@@ -2,20 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "tracer/bvh/bvh.h"
 
 namespace verisim::shapes {
 namespace {
 
-constexpr std::size_t kMaxNodes = 40;
+constexpr std::size_t kMaxNodes = 160;
+// Nodes are looked at one after another. Of many parts side by side, every so many have a box around them, below which
+// nothing is looked at that no ray meets.
+constexpr std::size_t kRun = 8, kMaxWithoutRuns = 12;
 
 bool bounded(const Shape& shape) { return !shape.object->bounded_by.empty(); }
 // CSG objects without bounds.
 bool takes_apart(const Shape& shape) { return shape.object->as<scene::Csg>() && !bounded(shape); }
 bool is_simple(const Shape& shape) { return !bounded(shape) && shape.simple().form != SimpleSolid::Form::other; }
-// Nodes of these shapes; no further than to more than kMaxNodes.
+double surface(const Box3& b) {
+  const Vec3 d = b.max - b.min;
+  return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+// Parts so many that only their order could make it worth looking at them run by run, and it does not: the hierarchy of
+// a union (ChildIndex) finds those on the way sooner. What is not simple gains more from eight rays together.
+bool scattered(std::span<const std::unique_ptr<Shape>> shapes) {
+  constexpr std::size_t kFew = 5 * kRun;
+  if (shapes.size() <= kFew) return false;
+  if (shapes.size() > kMaxNodes) return true;
+  if (2 * std::ranges::count_if(shapes, [](const auto& shape) { return is_simple(*shape); }) < std::ssize(shapes))
+    return false;
+  Box3 all;
+  double of_runs = 0;
+  for (std::size_t i = 0; i < shapes.size(); i += kRun) {
+    Box3 run;
+    for (const auto& shape : shapes.subspan(i, std::min(kRun, shapes.size() - i))) run.extendBy(shape->bounds());
+    all.extendBy(run);
+    of_runs += surface(run) * static_cast<double>(kRun);
+  }
+  return !(of_runs < 0.5 * surface(all) * static_cast<double>(shapes.size()));
+}
+// Nodes of these shapes; no further than to more than kMaxNodes, which are too many.
 std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
+  if (scattered(shapes)) return kMaxNodes + 1;
   std::size_t count = 0;
   for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMaxNodes; ++shape) {
     ++count;
@@ -84,15 +111,35 @@ struct CsgTree::Builder {
     std::uint32_t indices[kMaxNodes];
     std::uint32_t* end = indices;
     double sum = 0;
-    for (const auto& child : children) {
-      *end = add(*child, top);
-      sum += cost[*end++];
+    for (std::size_t i = 0; i < children.size(); i += kRun) {
+      const auto run = children.subspan(i, std::min(kRun, children.size() - i));
+      const std::uint32_t* const first = end;
+      const std::optional<std::uint32_t> box =
+          children.size() > kMaxWithoutRuns ? std::optional(add_run()) : std::nullopt;
+      for (const auto& child : run) {
+        *end = add(*child, top);
+        sum += cost[*end++];
+      }
+      if (box) end_run(*box, {first, end});
     }
     cheap_first(indices, end, [](std::uint32_t node) { return node; });
     n.children = static_cast<std::uint32_t>(tree.children.size());
     n.child_count = static_cast<std::uint32_t>(end - indices);
     tree.children.insert(tree.children.end(), indices, end);
     return sum;
+  }
+  std::uint32_t add_run() {
+    tree.nodes.emplace_back();
+    tree.nodes.back().kind = CsgNode::Kind::run;
+    cost.push_back(0);
+    return static_cast<std::uint32_t>(tree.nodes.size() - 1);
+  }
+  void end_run(std::uint32_t index, std::span<const std::uint32_t> members) {
+    CsgNode& run = tree.nodes[index];
+    run.end = static_cast<std::uint32_t>(tree.nodes.size());
+    for (const std::uint32_t member : members) run.box.extendBy(tree.nodes[member].box);
+    run.boxed = accel::is_finite(run.box);
+    tree.any_boxed = tree.any_boxed || run.boxed;
   }
   // Those of all nodes, and their own.
   void add_clips() {

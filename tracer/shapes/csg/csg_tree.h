@@ -24,9 +24,10 @@ struct CsgNode {
     sum,
     simple,
     prism,
-    core,
+    core,  // a solid that rays cross once, and of which only what is within it shows
+    run,   // some children of the node above, for the box around them
     other
-  };  // core: a solid that rays cross once, and of which only what is within it shows
+  };
   Kind kind = Kind::other;
   bool plain = false;        // simple, without clips
   bool boxed = false;        // worth a look at its box first

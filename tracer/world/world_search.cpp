@@ -35,6 +35,20 @@ class World::Search {
       if (!(e.hidden & mask_) && !s.enclosure.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
     }
   }
+  // All that POV-Ray asks, in its order: isosurfaces remember that they were asked.
+  void test_in_turn() {
+    const auto ask = [&](std::uint32_t index) {
+      const Entry& e = w_.entries[index];
+      Hit other;
+      if (!(e.hidden & mask_) && e.slab.passes(ray_) && e.shape->intersect(ray_, kind_, t_min_, HUGE_VAL, other) &&
+          other.t < limit_)
+        found_ = true, hit_ = other, limit_ = other.t;
+      return limit_;
+    };
+    if (!w_.in_order) return w_.hierarchy().search(ray_, limit_, ask);
+    for (std::uint32_t i = 0; i < w_.entries.size(); ++i)
+      if (w_.entries[i].may_meet(ray_, t_min_, HUGE_VAL)) ask(i);
+  }
   void test_candidate(std::uint32_t i, const WorldEntry* entry) {
     const Candidate& c = w_.bounded[i];
     if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr);
@@ -79,6 +93,10 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
                       const WorldEntry* entry) const {
   const Impl& w = *impl_;
   Search search(w, ray, kind, t_min, t_max, hit);
+  if (w.searches_in_turn()) {
+    search.test_in_turn();
+    return search.found();
+  }
   search.test_unbounded();
   w.traverse(
       ray, t_min, search.limit(),
@@ -94,6 +112,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
 
 bool World::boxes_along(const Ray& ray, double t_min, double t_max, const WorldEntry* entry, BoxesAlong& boxes) const {
   const Impl& w = *impl_;
+  if (w.searches_in_turn()) return false;
   if (!entry && !w.few.empty()) return false;  // they are found as soon as looked up
   return w.tree.boxes_along(ray, t_min, t_max, entry ? &entry->points : nullptr, boxes);
 }

@@ -45,7 +45,7 @@ const shapes::Shape** Tracer::last_blocker(const ShadowQuery& query) {
 void Tracer::begin_block() {
   if (!random_.replay()) {
     last_blockers_.clear(), memory_of_others_.last_blockers.clear();
-    shapes::last_miss() = {};
+    shapes::last_miss() = {}, memory_of_others_.last_miss = {};
   }
   shapes::last_miss().kept = in_order_;
 }

@@ -86,8 +86,8 @@ class Tracer {
   void begin_block();
   void remember_blockers(const LastBlockers& blockers) { last_blockers_ = blockers; }
   const LastBlockers& remembered_blockers() const { return last_blockers_; }
-  // While it lives, rays are those that radiosity gathers: random streams, shadow cache and the last miss of isosurfaces
-  // are not those of the rays that ask for them (spec 07 1).
+  // While it lives, rays are those that radiosity gathers: random streams, shadow cache and the last miss of
+  // isosurfaces are not those of the rays that ask for them (spec 07 1).
   class GatherScope {
    public:
     // Depth 0: not itself gathered for others.

@@ -40,8 +40,7 @@ class World::Search {
     const auto ask = [&](std::uint32_t index) {
       const Entry& e = w_.entries[index];
       Hit other;
-      if (!(e.hidden & mask_) && e.slab.passes(ray_) && e.shape->intersect(ray_, kind_, t_min_, HUGE_VAL, other) &&
-          other.t < limit_)
+      if (!(e.hidden & mask_) && e.slab.passes(ray_) && nearest_of_all(e, other) && other.t < limit_)
         found_ = true, hit_ = other, limit_ = other.t;
       return limit_;
     };
@@ -68,6 +67,16 @@ class World::Search {
     hit_ = hit;
     owner_ = index;
     limit_ = std::min(limit_, with_coincident(hit.t));
+  }
+  // Each part of CSG is asked, however far it is.
+  bool nearest_of_all(const Entry& e, Hit& hit) const {
+    if (!e.object->as<scene::Csg>()) return e.shape->intersect(ray_, kind_, t_min_, HUGE_VAL, hit);
+    shapes::ScratchHits hits;
+    e.shape->intersect_all(ray_, kind_, hits.list());
+    bool found = false;
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= t_min_ && (!found || hits[i].t <= hit.t)) found = true, hit = hits[i];
+    return found;
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
     Hit other;

@@ -57,7 +57,8 @@ ObjectRef shape_block(Parser& parser, const ReadShape& read_shape) {
   // These boxes are made after the modifiers, of which bounds do not cut them down, and none moves them from step to
   // step (spec 03 2.2).
   if (!object->copied &&
-      (object->as<std::shared_ptr<const scene::Blob>>() || object->as<std::shared_ptr<const scene::HeightField>>()))
+      (object->as<std::shared_ptr<const scene::Blob>>() || object->as<std::shared_ptr<const scene::HeightField>>() ||
+       object->as<std::shared_ptr<const scene::JuliaFractal>>()))
     scene::compute_bounds(*object);
   return object;
 }

@@ -100,6 +100,7 @@ class Shooter {
   // until they meet something, and many meet nothing.
   bool trace_together(Gun& gun, std::span<const global::PhotonStart> starts, std::size_t first, const PhotonShot& shot,
                       const shading::Light& light) {
+    gun.tracer.begin_block();
     RayBatch rays;
     Rgb colors[kTogether];
     std::size_t index[kTogether];
@@ -113,12 +114,15 @@ class Shooter {
     }
     shapes::Hit hits[kTogether];
     bool found[kTogether];
-    data_.world.intersect_batch(rays, 0, count, shapes::RayKind::photon, shading::PhotonWalk::kNearestHit, nullptr,
-                                hits, found);
+    const auto kind = shapes::RayKind::photon;
+    const double nearest = shading::PhotonWalk::kNearestHit;
+    // In POV-Ray's order a photon goes all its way before the next one is shot.
+    if (!options_.replay) data_.world.intersect_batch(rays, 0, count, kind, nearest, nullptr, hits, found);
     bool hit_target = false;
     for (int k = 0; k < count; ++k) {
       if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + index[k]), 0.5, 0);
       const Ray ray = rays.at(k);
+      if (options_.replay) found[k] = data_.world.intersect(ray, kind, nearest, accel::kFarthestHit, hits[k]);
       const auto around = found[k] ? gun.around(data_, ray.origin) : std::span<const scene::Interior* const>();
       hit_target |= shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr)
                         .run(ray, found[k] ? &hits[k] : nullptr, around, colors[k], results_[index[k]]);

@@ -121,6 +121,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
       for (int pass = 0; pass < plan.passes; ++pass) {
         for (PretraceTile& tile : tiles) {
           if (tile.finished()) continue;
+          worker.tracer.begin_block();
           worker.trace_tile(plan, pass, adaptive, *task, tile, options.cancel);
           count_rays(options, std::exchange(worker.tracer.statistics(), {}));
           progress.tile_done(pass);

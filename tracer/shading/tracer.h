@@ -16,6 +16,7 @@
 #include "tracer/shading/scene_data.h"
 #include "tracer/shading/texture_parts.h"
 #include "tracer/shading/shuffle.h"
+#include "tracer/shapes/implicit/last_miss.h"
 
 namespace verisim::path {
 class PathTracer;
@@ -85,8 +86,8 @@ class Tracer {
   void begin_block();
   void remember_blockers(const LastBlockers& blockers) { last_blockers_ = blockers; }
   const LastBlockers& remembered_blockers() const { return last_blockers_; }
-  // While it lives, rays are those that radiosity gathers: random streams and shadow cache are not those of the rays
-  // that ask for them (spec 07 1).
+  // While it lives, rays are those that radiosity gathers: random streams, shadow cache and the last miss of
+  // isosurfaces are not those of the rays that ask for them (spec 07 1).
   class GatherScope {
    public:
     // Depth 0: not itself gathered for others.
@@ -97,8 +98,11 @@ class Tracer {
 
    private:
     void exchange() {
-      if (tracer_) std::swap(tracer_->memory_of_others_.streams, tracer_->random_.streams());
-      if (tracer_) tracer_->memory_of_others_.last_blockers.swap(tracer_->last_blockers_);
+      if (!tracer_) return;
+      Memory& others = tracer_->memory_of_others_;
+      std::swap(others.streams, tracer_->random_.streams());
+      others.last_blockers.swap(tracer_->last_blockers_);
+      shapes::exchange_last_miss(others.last_miss);
     }
     Tracer* const tracer_;
   };
@@ -340,6 +344,7 @@ class Tracer {
   struct Memory {
     RandomSource::Streams streams;
     LastBlockers last_blockers;
+    shapes::LastMiss::Search last_miss;
   };
   Memory memory_of_others_;  // of gathered rays while others are traced, and of those while rays are gathered
   std::vector<CornerResult> corners_;

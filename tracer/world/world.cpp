@@ -68,12 +68,12 @@ bool may_run_along_edges(const scene::Object& o) {
          o.as<std::shared_ptr<const scene::Text>>();
 }
 
+bool encloses(const Box3& pov, const Box3& surface) {
+  return !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
+}
 // What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not,
 // its box decides what is seen.
-Box3 tight_box(const Box3& pov, const Box3& surface) {
-  const bool encloses = !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
-  return encloses ? surface : pov;
-}
+Box3 tight_box(const Box3& pov, const Box3& surface) { return encloses(pov, surface) ? surface : pov; }
 
 // The surface and all that it encloses lie in a finite box.
 bool within_finite_box(const Shape& shape) {
@@ -117,6 +117,7 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     return;
   }
   static const scene::Interior kNoInterior;
+  any_isosurface = any_isosurface || o.as<std::shared_ptr<const scene::Isosurface>>();
   Surface& s = surfaces.add();
   s.object = &o;
   s.texture = o.texture ? compiler.texture(o.texture) : nullptr;
@@ -143,7 +144,9 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
       was_flagged_opaque(o, compiler) ||
       (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) && (from_outside || flag(s.interior_texture)));
   s.opaque = s.opaque || flagged;
-  const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
+  // What casts no shadow by itself does so in a union that casts one, but is not remembered.
+  const bool remembered =
+      !(cutaway ? cutaway->object : &o)->no_shadow && (cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged);
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   for (const auto& light : o.group_lights) rest.group_lights.push_back(light.get());
   if (!rest.group_lights.empty() || !rest.extra_textures.empty()) s.rest = &surface_rests.emplace_back(std::move(rest));
@@ -213,6 +216,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
     e.ranked = !e.infinite && !w.in_order;
     e.edged = e.ranked && may_run_along_edges(o);
+    e.cut = e.ranked && !is_empty(box) && !encloses(box, shape->bounds());
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;

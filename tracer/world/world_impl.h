@@ -19,6 +19,7 @@
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/interior_proxy.h"
 #include "tracer/shapes/half_spaces.h"
+#include "tracer/shapes/implicit/last_miss.h"
 #include "tracer/shapes/quadrics/plane.h"
 
 namespace verisim::accel {
@@ -51,6 +52,7 @@ struct Entry {
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   bool ranked = false;        // is in POV-Ray's hierarchy
   bool edged = false;         // and its surface may run along edges of its box
+  bool cut = false;           // or reach out of its box, which decides what is seen
   SlabTest slab;              // for hits
   Box3 box() const { return widened(object->bounds); }  // POV-Ray's, right or wrong
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
@@ -58,8 +60,10 @@ struct Entry {
     return (!test_box || clip_to_box(ray, box(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
-  // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face.
+  // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face; or one
+  // that grazes the box wherever it meets the surface, if that reaches out of it.
   bool in_doubt(const Ray& ray, const Hit& hit) const {
+    if (cut) return true;
     const Vec3& d = ray.direction;
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
@@ -189,7 +193,10 @@ struct World::Impl {
   mutable std::vector<std::uint32_t> made_ranks;
   bool transparent_shadows = false;  // something that shadow rays see is not opaque
   bool filters_twice = false;        // some surface does
+  bool any_isosurface = false;       // among the surfaces
 
+  // Which entries are asked, and when, is seen: isosurfaces remember it (spec 04 6.3).
+  bool searches_in_turn() const { return any_isosurface && shapes::last_miss().kept; }
   // Bvh::traverse, or what does the same.
   template <class Visit>
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const WorldEntry* entry) const {

@@ -35,6 +35,19 @@ class World::Search {
       if (!(e.hidden & mask_) && !s.enclosure.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
     }
   }
+  // All that POV-Ray asks, in its order: isosurfaces remember that they were asked.
+  void test_in_turn() {
+    const auto ask = [&](std::uint32_t index) {
+      const Entry& e = w_.entries[index];
+      Hit other;
+      if (!(e.hidden & mask_) && e.slab.passes(ray_) && nearest_of_all(e, other) && other.t < limit_)
+        found_ = true, hit_ = other, limit_ = other.t;
+      return limit_;
+    };
+    if (!w_.in_order) return w_.hierarchy().search(ray_, limit_, ask);
+    for (std::uint32_t i = 0; i < w_.entries.size(); ++i)
+      if (w_.entries[i].may_meet(ray_, t_min_, HUGE_VAL)) ask(i);
+  }
   void test_candidate(std::uint32_t i, const WorldEntry* entry) {
     const Candidate& c = w_.bounded[i];
     if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr);
@@ -54,6 +67,16 @@ class World::Search {
     hit_ = hit;
     owner_ = index;
     limit_ = std::min(limit_, with_coincident(hit.t));
+  }
+  // Each part of CSG is asked, however far it is.
+  bool nearest_of_all(const Entry& e, Hit& hit) const {
+    if (!e.object->as<scene::Csg>()) return e.shape->intersect(ray_, kind_, t_min_, HUGE_VAL, hit);
+    shapes::ScratchHits hits;
+    e.shape->intersect_all(ray_, kind_, hits.list());
+    bool found = false;
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= t_min_ && (!found || hits[i].t <= hit.t)) found = true, hit = hits[i];
+    return found;
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
     Hit other;
@@ -79,6 +102,10 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
                       const WorldEntry* entry) const {
   const Impl& w = *impl_;
   Search search(w, ray, kind, t_min, t_max, hit);
+  if (w.searches_in_turn()) {
+    search.test_in_turn();
+    return search.found();
+  }
   search.test_unbounded();
   w.traverse(
       ray, t_min, search.limit(),
@@ -94,6 +121,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
 
 bool World::boxes_along(const Ray& ray, double t_min, double t_max, const WorldEntry* entry, BoxesAlong& boxes) const {
   const Impl& w = *impl_;
+  if (w.searches_in_turn()) return false;
   if (!entry && !w.few.empty()) return false;  // they are found as soon as looked up
   return w.tree.boxes_along(ray, t_min, t_max, entry ? &entry->points : nullptr, boxes);
 }

@@ -25,6 +25,7 @@ struct FilterToTransmit {
   scene::PigmentPtr operator()(const scene::PigmentPtr& pigment) {
     auto result = std::make_shared<scene::Pigment>(*pigment);
     move_to_transmit(result->color);
+    if (result->pattern.kind == scene::PatternKind::plain) return result;  // a map from before is not its own
     if (result->color_map && seen.insert(result->color_map.get()).second)
       for (auto& entry : shared_map(result->color_map)) move_to_transmit(entry.value);
     if (result->pigment_map && seen.insert(result->pigment_map.get()).second)

@@ -27,11 +27,17 @@ CameraModel::CameraModel(const scene::Camera& description, int width, int height
   if (!mesh) find_coherence(width, height);
 }
 
+// Whether each camera ray looks up what it starts in. Where a camera of that type has a single origin without a lens,
+// and is no perspective one, the first ray does it for all (spec 02 1.8); only in POV-Ray's order there is a first one.
+static bool starts_differ(const CameraModel& camera, shading::Tracer& tracer) {
+  if (!camera.blur) return camera.origin_varies;
+  const bool first_decides =
+      tracer.random().replay() && camera.camera.kind != scene::CameraKind::perspective && !camera.rays.origin_varies();
+  return tracer.expect_origins(camera.blur->lens()) && !first_decides;
+}
+
 PixelSampler::PixelSampler(const CameraModel& camera, shading::Tracer& tracer)
-    : camera_(camera),
-      tracer_(tracer),
-      starts_differ_(camera.blur ? tracer.expect_origins(camera.blur->lens()) : camera.origin_varies),
-      wavefront_(tracer) {}
+    : camera_(camera), tracer_(tracer), starts_differ_(starts_differ(camera, tracer)), wavefront_(tracer) {}
 
 // From the rays of three pixels in the middle.
 void CameraModel::find_coherence(int width, int height) {

@@ -11,9 +11,13 @@
 namespace verisim::shading {
 namespace {
 
-// Surfaces of CSG may reach beyond its box, as those of a disc do that cuts.
+// Surfaces may reach beyond their box, as those of a disc that cuts do, or of a copy with bounds.
 bool box_passes(const shapes::Shape& shape, const Ray& ray) {
-  return !shape.object->as<scene::Csg>() || accel::slab_test(shape.object->bounds).passes(ray);
+  const scene::Object& o = *shape.object;
+  if (o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
+      o.as<scene::SmoothTriangle>() || o.as<scene::Poly>())
+    return true;
+  return accel::slab_test(o.bounds).passes(ray);
 }
 
 // What is tested before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
@@ -45,7 +49,7 @@ const shapes::Shape** Tracer::last_blocker(const ShadowQuery& query) {
 void Tracer::begin_block() {
   if (!random_.replay()) {
     last_blockers_.clear(), memory_of_others_.last_blockers.clear();
-    shapes::last_miss() = {};
+    shapes::last_miss() = {}, memory_of_others_.last_miss = {};
   }
   shapes::last_miss().kept = in_order_;
 }

@@ -51,6 +51,7 @@ std::atomic<std::uint64_t> isosurfaces_made{0};
 }  // namespace
 
 LastMiss& last_miss() { return miss_of_thread; }
+void exchange_last_miss(LastMiss::Search& other) { std::swap(other.isosurface, miss_of_thread.last.isosurface); }
 
 namespace {
 
@@ -303,15 +304,17 @@ void Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, const Co
   }
   end = std::min(end, kFarthest);
   if (!(end - begin >= a)) return;
-  if (wall >= 0 && report(wall, wall_face) && Sink::kNearest && wall == begin) return;
+  // What is searched behind the nearest hit is remembered, too.
+  const bool ends_with_nearest = Sink::kNearest && !search.memory;
+  if (wall >= 0 && report(wall, wall_face) && ends_with_nearest && wall == begin) return;
   if (begin < a && search.sign > 0 && search.end_field(begin).near_zero(search, near_zero)) start_behind_surface();
 
   while (remaining-- > 0) {
     double t;
     if (!search.find(begin, end, t)) return;
-    if (report(t, 0) && Sink::kNearest) return;
+    if (report(t, 0) && ends_with_nearest) return;
     begin = t + gap;
-    if (end - begin < a || begin > sink.upper()) return;
+    if (end - begin < a || (begin > sink.upper() && !search.memory)) return;
     search.sign = -search.sign;
   }
 }

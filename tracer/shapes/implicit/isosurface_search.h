@@ -183,9 +183,9 @@ double IsosurfaceSearch<Value>::adapted(double slope, [[maybe_unused]] const Val
 // The first leaf of the dyadic bisection of [begin, end] whose far end is negative (spec 04 6.2).
 template <class Value>
 bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
-  if (const auto& evaluate = field.surface.evaluate; evaluate && gradient > evaluate->x) gradient *= evaluate->z;
   if (memory && memory->spares(number, at(begin), at(end), gradient)) return false;
-  if (memory) memory->isosurface = 0;
+  if (memory) memory->forget();
+  if (const auto& evaluate = field.surface.evaluate; evaluate && gradient > evaluate->x) gradient *= evaluate->z;
   Value value0 = end_field(begin).times(sign);
   const Value first = value0;
   if (field.surface.open && value0.below(*this, 0)) sign = -sign, value0 = value0.times(-1);
@@ -203,7 +203,8 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
   };
   const auto ended = [&](bool found) {
     if (largest > steepest * speed) steepest = largest / speed;
-    if (memory && !found && !memory->shadow_ray) memory->keep(number, at(begin), at(end), least);
+    // What a hit or a shadow ray leaves does not count for its own rays, but takes the place of what others left.
+    if (memory) memory->keep(found || memory->shadow_ray ? 0 : number, at(begin), at(end), least);
     return found;
   };
   // Right halves; the value where the node ends that is above count of them.

@@ -12,24 +12,31 @@
 namespace verisim::shapes {
 
 struct LastMiss {
+  // One that found nothing.
+  struct Search {
+    std::uint64_t isosurface = 0;
+    double ends[6] = {};  // the points where it begins and ends, in the isosurface's space
+    double least = 0;     // of the values seen, with the sign that was looked for
+  };
   bool kept = false;        // searches read and write it
   bool shadow_ray = false;  // which only reads it
-  std::uint64_t isosurface = 0;
-  double ends[6] = {};  // of the search: the points where it begins and ends, in the isosurface's space
-  double least = 0;     // of the values seen, with the sign that was looked for
+  Search last;
 
   bool spares(std::uint64_t which, const Vec3& from, const Vec3& to, double max_gradient) const {
-    if (which != isosurface) return false;
-    const Vec3 begin(ends[0], ends[1], ends[2]), end(ends[3], ends[4], ends[5]);
-    return least - max_gradient * std::max(length(from - begin), length(to - end)) > 0;
+    if (which != last.isosurface) return false;
+    const double* const e = last.ends;
+    const Vec3 begin(e[0], e[1], e[2]), end(e[3], e[4], e[5]);
+    return last.least - max_gradient * std::max(length(from - begin), length(to - end)) > 0;
   }
+  void forget() { last.isosurface = 0; }
   void keep(std::uint64_t which, const Vec3& from, const Vec3& to, double least_value) {
-    *this = {kept, shadow_ray, which, {from.x, from.y, from.z, to.x, to.y, to.z}, least_value};
+    last = {which, {from.x, from.y, from.z, to.x, to.y, to.z}, least_value};
   }
 };
 
 // This thread's.
 LastMiss& last_miss();
+void exchange_last_miss(LastMiss::Search& other);
 
 // While it lives, this thread's rays are shadow rays.
 class ShadowRays {

@@ -372,6 +372,7 @@ const Tiling* periodic_tiling(int number) {
     for (const int n : {5, 9}) all[n - 1].lean = {kLean / 8, kLean};
     for (const int n : {9, 15}) all[n - 1].border = 1e-14;
     all[2].exchanged = true;
+    for (const int n : {12, 13, 14}) all[n - 1].seams = n;
     return all;
   }();
   return number >= 1 && number <= 24 ? &tilings[number - 1] : nullptr;
@@ -406,6 +407,22 @@ std::pair<const Tile*, double> tile_at(const Tiling& t, double x, double z) {
 // Below 1 also for what is hardly below 0.
 double cell_fraction(double v) { return std::min(v - std::floor(v), 1 - 0x1p-53); }
 
+// Whether a point is on a line between cells, along one axis: `fraction` of the cell, or folded, where it is mirrored.
+bool on_seam(const Tiling& t, double fraction, double folded) {
+  return t.mirrored ? folded == 3 : fraction == 0 || fraction == 1 - 0x1p-53;
+}
+
+// There POV-Ray has, instead of a tile's value, what its tests of tiles leave (measured, spec 05 9.1): above 1, too.
+double value_on_seam(const Tiling& t, bool along_z, double v, double z) {
+  if (t.mirrored) return (along_z && z >= 1 && z <= 2 ? 4 : 7) / 3.0;
+  if (!along_z) return 0;
+  const double q = std::sqrt(0.5), r = std::numbers::sqrt2 / 4, place = v * t.lattice[1][1],
+               within = std::min(place - q, 3 * q - place) / r;
+  if (!(within > 0)) return 0;
+  const bool five = t.seams == 14;
+  return ((five ? place < 2 * q ? 3 : 4 : 2) + within) / (five ? 5 : 3);
+}
+
 }  // namespace
 
 double evaluate_tiling(const Tiling& t, double x, double z) {
@@ -416,6 +433,10 @@ double evaluate_tiling(const Tiling& t, double x, double z) {
   }
   double u = x * t.inverse[0][0] + z * t.inverse[0][1], v = x * t.inverse[1][0] + z * t.inverse[1][1];
   u = cell_fraction(u), v = cell_fraction(v);
+  if (t.seams != 0) {
+    const bool across_z = on_seam(t, v, z);
+    if (across_z || on_seam(t, u, x)) return value_on_seam(t, !across_z, v, z);
+  }
   const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
   auto [holder, distance] = tile_at(t, px, pz);
   if (!holder) return 0;  // not a number

@@ -30,6 +30,7 @@ struct Tiling {
   Vec2 lean{0, 0};
   double border = 0;       // how near to an edge is on it: more than 0 where the lattice has no exact coordinates
   bool exchanged = false;  // tiling 3: its two classes are, where x is a whole number
+  int seams = 0;           // tilings 12 to 14: the number; lines between their cells belong to no tile
 };
 
 // Built on first use; 1 <= number <= 24. Null for the Penrose tilings 25 .. 27.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace verisim::textures {
 namespace {
 
@@ -85,6 +87,21 @@ TEST(Tiling, SurvivesFarAndInvalidPoints) {
     for (const double x :
          {1e17, -1e17, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
       tiling(n, x, 1);
+}
+
+// Measured by #write on the lines between cells.
+TEST(Tiling, HasNoTilesOnSeamsOfSome) {
+  const auto shown = [](int n, double x, double z) { return std::fmod(tiling(n, x, z), 1.00001); };  // by a map
+  EXPECT_NEAR(shown(12, 1.3, 0), 0.33331335, 3e-8);
+  EXPECT_NEAR(shown(12, 0, 2.7733), 0.33331335, 3e-8);
+  EXPECT_NEAR(shown(12, 0, -1.7315), 0.33332333, 3e-8);
+  EXPECT_EQ(tiling(13, -4.7, 0), 0);
+  EXPECT_EQ(tiling(14, 2.5, 0), 0);
+  EXPECT_EQ(tiling(14, 0, 2.3678), 0);
+  EXPECT_NEAR(shown(13, -1e-16, 1.3), 0.22564176, 1e-7);
+  EXPECT_NEAR(tiling(14, -1e-16, 1.3), 0.93539107, 1e-7);
+  EXPECT_NEAR(tiling(13, 0, 2.0388), 0.744469, 1e-4);
+  EXPECT_NEAR(tiling(14, 0, 2.0388), 0.846682, 1e-4);
 }
 
 }  // namespace

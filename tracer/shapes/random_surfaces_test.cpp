@@ -1,5 +1,5 @@
-// The same promises (surface_test_support.h) of surfaces that are sampled, tessellated or without an inside, each to its
-// own accuracy.
+// The same promises (surface_test_support.h) of surfaces that are sampled, tessellated or without an inside, each to
+// its own accuracy.
 #include <filesystem>
 
 #include "tracer/shapes/heights/height_map.h"

@@ -68,11 +68,11 @@ void expect_the_same(const scene::Scene& scene, Journal& journal) {
   std::mt19937 random{5};
   std::uniform_real_distribution<double> beside(-1.4, 1.4), across(0, kPictureWidth - 1), down(0, kPictureHeight - 1);
   for (int count = 1; count < 3 * Wavefront::kMax; count += 17) {
-    const Vec2 near(across(random), down(random));
+    const Vec2 near{across(random), down(random)};
     std::vector<Vec2> places;
     for (int i = 0; i < count; ++i)
-      places.push_back(count % 3 == 0 ? Vec2(across(random), down(random))
-                                      : near + Vec2(beside(random), beside(random)));
+      places.push_back(count % 3 == 0 ? Vec2{across(random), down(random)}
+                                      : near + Vec2{beside(random), beside(random)});
     together.sampler.points(places.data(), count, colors.data());
     for (std::size_t i = 0; i < places.size(); ++i) ASSERT_NO_FATAL_FAILURE(compare(places[i], colors[i]));
   }

@@ -46,7 +46,7 @@ class RandomRays {
     }
     active = round % 4 == 0 ? static_cast<unsigned>(random() & 255) : 255;
   }
-  Vec3 vector(double size) { return Vec3(normal_(random), normal_(random), normal_(random)) * size; }
+  Vec3 vector(double size) { return Vec3{normal_(random), normal_(random), normal_(random)} * size; }
 
   std::mt19937 random{21};
   std::unique_ptr<RayBatch> rays = std::make_unique<RayBatch>();

@@ -14,7 +14,7 @@ LIBRARIES = ("tracer", "parser", "compare", "cli", "python")  # from the ground 
 SUFFIXES = (".h", ".cpp", ".inc")
 MOST_FILES = 36  # of a folder, tests apart
 INCLUDE = re.compile(r'\s*#\s*(?:include|define\s+VERISIM_KERNELS)\s+"([^"]+)"')
-FOR_TESTS = re.compile(r"_test\.|test_support|fixture|surface_properties")
+FOR_TESTS = re.compile(r"_test\.|test_support|fixture")
 
 
 def declared(text):

@@ -46,11 +46,14 @@ inline float round_up(double v) {
 // A ray in the single precision of the nodes.
 class NodeRay {
  public:
-  // `inverse`: 1 / direction; infinities are replaced, because 0 * infinity would turn into NaN.
+  // `inverse`: 1 / direction; infinities are replaced, because 0 * infinity would turn into NaN, and what is zero in
+  // single precision, because it would take all planes, those of missing children too, to the same place.
   NodeRay(const Vec3& origin, const Vec3& inverse) {
+    constexpr float kLeast = std::numeric_limits<float>::min();
     for (int i = 0; i < 3; ++i) {
       float r = static_cast<float>(inverse[i]);
       if (!(std::fabs(r) < 1e30f)) r = std::copysign(1e30f, r);
+      if (std::fabs(r) < kLeast) r = std::copysign(kLeast, r);
       const bool backward = r < 0;
       front_[i] = backward ? 12 + 4 * i : 4 * i;
       back_[i] = backward ? 4 * i : 12 + 4 * i;

@@ -336,5 +336,21 @@ TEST(Shaft, MeetsFewBoxesBesideIt) {
   EXPECT_EQ(nothing.count, 0);
 }
 
+// Rays whose reciprocals are zero in single precision meet what is there, and no child that is missing.
+TEST(Bvh, EndlessDirectionsEnd) {
+  for (const std::size_t count : {1u, 2u, 3u, 5u, 6u, 9u}) {
+    const auto box = [](std::size_t i) { return Box3(Vec3(double(i), -.5, -.5), Vec3(double(i) + .9, .5, .5)); };
+    const Bvh tree(count, box, 1);
+    for (const double size : {1e38, 1e100, -1e300}) {
+      std::size_t visits = 0;
+      tree.traverse({Vec3(.1, .1, .2), Vec3(size, size, size / 2)}, 0, kInfinity, [&](std::uint32_t, double limit) {
+        ++visits;
+        return limit;
+      });
+      EXPECT_LE(visits, count) << size;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace verisim::accel

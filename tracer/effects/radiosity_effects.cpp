@@ -37,12 +37,13 @@ class TracerFinalGatherer : public FinalGatherer {
     const shading::RandomBranch branch(tracer_.random(), shading::RandomBranch::gather(0));
     const auto key = tracer_.random().key();
     shading::RayState state = gather_state(depth);
-    shading::Wavefront* const wavefront = rays.size() < kMin ? nullptr : wavefront_of(state);
-    RayOrder order;
+    shading::Wavefront* wavefront = rays.size() < kMin ? nullptr : wavefront_of(state);
+    RayOrder order;  // decides what rays find that need samples, too, so those that are watched have the same
     if (wavefront)
       sort_by_direction(rays, order);
     else
       std::iota(order.begin(), order.end(), std::uint16_t{0});
+    if (tracer_.observed()) wavefront = nullptr;
 
     constexpr std::size_t kMaxRays = RayBatch::kMax;
     const auto default_importance = static_cast<float>(effects_.scene().settings.radiosity.default_importance);

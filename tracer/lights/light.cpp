@@ -3,22 +3,11 @@
 #include "tracer/math/constants.h"
 
 namespace verisim::shading {
-namespace {
-
-// 0 below low, 1 above high, a cubic between.
-double smooth_step(double low, double high, double x) {
-  if (x < low) return 0;
-  if (x >= high) return 1;
-  const double u = (x - low) / (high - low);
-  return u * u * (3 - 2 * u);
-}
-
-}  // namespace
 
 Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector)
     : source_(&source), area_(source.area && area_lights), projector_(std::move(projector)) {
   radial_ = !source.parallel && source.kind != scene::LightKind::cylinder;
-  attenuates_ = source.has_beam() || (source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon);
+  attenuates_ = source.has_beam() || source.fades();
   parallel_ = (source.parallel || source.kind == scene::LightKind::cylinder) && !area_;
   if (!area_) {
     box_ = Box3(source.position);
@@ -56,8 +45,7 @@ double raised(double base, double exponent) {
 double Light::angle_and_distance(const Vec3& p, const LightDirection& l) const {
   double a = source_->has_beam() ? profile(p, l) : 1;
   if (a == 0) return 0;
-  if (source_->fade_power > 0 && std::fabs(source_->fade_distance) > kEpsilon)
-    a *= 2 / (1 + raised(l.distance / source_->fade_distance, source_->fade_power));
+  if (source_->fades()) a *= faded(raised(l.distance / source_->fade_distance, source_->fade_power));
   return a;
 }
 
@@ -77,9 +65,7 @@ double Light::profile(const Vec3& p, const LightDirection& l) const {
 double Light::spot(const LightDirection& l) const {
   const double along = dot(l.towards, source_->direction), m = l.distance > 0 ? -along : along;
   if (m <= 0) return 0;
-  double a = raised(m, source_->tightness);
-  if (cos_radius_ > 0 && m < cos_radius_) a *= smooth_step(cos_falloff_, cos_radius_, m);
-  return a;
+  return spot_profile(m, raised(m, source_->tightness), cos_falloff_, cos_radius_, soft_below());
 }
 
 double Light::cylinder(const Vec3& p) const {
@@ -114,8 +100,7 @@ Light::Axes Light::axes(const Vec3& l) const {
 Vec3 Light::offset(const Axes& axes, double u, double v) const {
   if (source_->circular) {
     const double a = u / (size1() - 1) - 0.499, b = v / (size2() - 1) - 0.499;
-    const double s = std::max(std::fabs(a), std::fabs(b)) / std::sqrt(a * a + b * b);
-    return axes.a1 * (a * s) + axes.a2 * (b * s);
+    return disc_offset(axes.a1, axes.a2, a, b);
   }
   Vec3 result(0, 0, 0);
   if (size1() > 1) result += axes.a1 * (u / (size1() - 1) - 0.5);

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "tracer/lights/light_formulas.h"
 #include "tracer/scene/light.h"
 #include "tracer/shapes/shape.h"
 
@@ -15,11 +16,6 @@ constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light,
 // no other limit, and the blocker of a point in a contact shadow is mostly that of the point before it (spec 06 9.2).
 constexpr double kContactTolerance = 1e-4;
 inline const double kAboveShadowTolerance = std::nextafter(kShadowTolerance, 1.0);
-
-struct LightDirection {
-  Vec3 towards;     // unit, from the point to the light
-  double distance;  // along it; negative behind a parallel light
-};
 
 class Light {
  public:
@@ -40,10 +36,7 @@ class Light {
   // Direction and distance from p to the light's centre, displaced by `offset` for a sample of an area light.
   LightDirection direction(const Vec3& p, const Vec3& offset = Vec3(0, 0, 0)) const {
     const Vec3 centre = source_->position + offset;
-    if (!radial_) return fixed_direction(p, centre);
-    const Vec3 to = centre - p;
-    const double d = length(to);
-    return {to * (1 / d), d};  // not to / d: POV-Ray's rounding, on which the intervals of media along shadow rays hang
+    return radial_ ? radial_direction(centre - p) : fixed_direction(p, centre);
   }
   // If not, attenuation is 1 everywhere.
   bool attenuates() const { return attenuates_; }
@@ -59,6 +52,8 @@ class Light {
   // Of a spot light: where it shines with all its strength, and beyond which not at all.
   double cos_radius() const { return cos_radius_; }
   double cos_falloff() const { return cos_falloff_; }
+  // The cosine below which it is less and less.
+  double soft_below() const { return cos_radius_ > 0 ? cos_radius_ : -HUGE_VAL; }
 
   // Angular attenuation of what leaves the light from `origin` in this direction (photons); distance plays no part.
   double emission(const Vec3& origin, const Vec3& direction) const;

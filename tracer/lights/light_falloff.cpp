@@ -14,12 +14,12 @@ std::optional<LightFalloff> LightFalloff::of(const Light& light) {
   const scene::LightSource& source = light.source();
   LightFalloff f;
   f.spot = source.kind == scene::LightKind::spotlight;
-  f.fades = source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon;
+  f.fades = source.fades();
   if ((source.has_beam() && !f.spot) || (f.spot && !is_simple(source.tightness)) ||
       (f.fades && !is_simple(source.fade_power)))
     return std::nullopt;
   f.direction = source.direction, f.tightness = static_cast<int>(f.spot ? source.tightness : 0);
-  f.cos_radius = light.cos_radius(), f.cos_falloff = light.cos_falloff(), f.soft = f.cos_radius > 0;
+  f.cos_radius = light.cos_radius(), f.cos_falloff = light.cos_falloff(), f.soft_below = light.soft_below();
   f.power = static_cast<int>(f.fades ? source.fade_power : 0), f.fade_distance = source.fade_distance;
   return f;
 }

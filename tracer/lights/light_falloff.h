@@ -11,10 +11,10 @@
 namespace verisim::shading {
 
 struct LightFalloff {
-  bool spot = false, soft = false, fades = false;  // soft: within a cone, and beyond it less and less
-  int tightness = 0, power = 0;                    // exponents: 0, 1 or 2; if it fades, 1 or 2
-  Vec3 direction{0, 0, 0};                         // of a spot light
-  double cos_radius = 0, cos_falloff = 0, fade_distance = 1;
+  bool spot = false, fades = false;
+  int tightness = 0, power = 0;  // exponents: 0, 1 or 2; if it fades, 1 or 2
+  Vec3 direction{0, 0, 0};       // of a spot light
+  double cos_radius = 0, cos_falloff = 0, soft_below = 0, fade_distance = 1;
 
   // None: not so simple.
   static std::optional<LightFalloff> of(const Light& light);

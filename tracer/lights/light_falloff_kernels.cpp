@@ -19,52 +19,31 @@ namespace HWY_NAMESPACE {
 
 constexpr int rounded(int count) { return (count + RayBatch::kStep - 1) / RayBatch::kStep * RayBatch::kStep; }
 
-void aim(const Vec3& position, int count, RayBatch& to_light, double* distance) {
-  const double lx = position.x, ly = position.y, lz = position.z;
-  const auto& from = to_light.origin;
-  auto& to = to_light.direction;
-  const int end = rounded(count);
-  for (int i = 0; i < end; ++i) {
-    const double x = lx - from.x[i], y = ly - from.y[i], z = lz - from.z[i];
-    const double d = std::sqrt(x * x + y * y + z * z), inverse = 1 / d;
-    distance[i] = d;
-    to.x[i] = x * inverse, to.y[i] = y * inverse, to.z[i] = z * inverse;
-  }
+HWY_INLINE void set_direction(const Vec3& to, int i, RayBatch& to_light, double* distance) {
+  const LightDirection l = radial_direction(to);
+  to_light.direction.set(i, l.towards), distance[i] = l.distance;
 }
 
-template <class Offset>
-void aim_at_offsets(const Vec3& position, const Vec3& p, int count, RayBatch& to_light, double* distance,
-                    const Offset& offset) {
-  const double lx = position.x, ly = position.y, lz = position.z, px = p.x, py = p.y, pz = p.z;
-  auto& to = to_light.direction;
+void aim(const Vec3& position, int count, RayBatch& to_light, double* distance) {
   const int end = rounded(count);
-  for (int i = 0; i < end; ++i) {
-    double ox, oy, oz;
-    offset(i, ox, oy, oz);
-    const double x = (lx + ox) - px, y = (ly + oy) - py, z = (lz + oz) - pz;
-    const double d = std::sqrt(x * x + y * y + z * z), inverse = 1 / d;
-    distance[i] = d;
-    to.x[i] = x * inverse, to.y[i] = y * inverse, to.z[i] = z * inverse;
-  }
+  for (int i = 0; i < end; ++i) set_direction(position - to_light.origin.at(i), i, to_light, distance);
 }
 
 void aim_at_grid(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayBatch& to_light,
                  double* distance) {
-  const double x1 = grid.a1.x, y1 = grid.a1.y, z1 = grid.a1.z, x2 = grid.a2.x, y2 = grid.a2.y, z2 = grid.a2.z,
-               last1 = grid.last1, last2 = grid.last2;
-  const double *const us = places.u, *const vs = places.v;
-  const auto aim = [&](const auto& offset) { aim_at_offsets(grid.position, p, count, to_light, distance, offset); };
+  const Vec3 position = grid.position, a1 = grid.a1, a2 = grid.a2;
+  const double last1 = grid.last1, last2 = grid.last2;
+  const int end = rounded(count);
   if (grid.circular) {
-    aim([&](int i, double& x, double& y, double& z) {
-      const double a = us[i] / last1 - 0.499, b = vs[i] / last2 - 0.499, wide = std::fabs(a), high = std::fabs(b);
-      const double s = (wide < high ? high : wide) / std::sqrt(a * a + b * b), u = a * s, v = b * s;
-      x = x1 * u + x2 * v, y = y1 * u + y2 * v, z = z1 * u + z2 * v;
-    });
+    for (int i = 0; i < end; ++i) {
+      const double a = places.u[i] / last1 - 0.499, b = places.v[i] / last2 - 0.499;
+      set_direction(position + disc_offset(a1, a2, a, b) - p, i, to_light, distance);
+    }
   } else {
-    aim([&](int i, double& x, double& y, double& z) {
-      const double u = us[i] / last1 - 0.5, v = vs[i] / last2 - 0.5;
-      x = (0.0 + x1 * u) + x2 * v, y = (0.0 + y1 * u) + y2 * v, z = (0.0 + z1 * u) + z2 * v;
-    });
+    for (int i = 0; i < end; ++i) {
+      const Vec3 offset = Vec3(0.0) + a1 * (places.u[i] / last1 - 0.5) + a2 * (places.v[i] / last2 - 0.5);
+      set_direction(position + offset - p, i, to_light, distance);
+    }
   }
 }
 
@@ -80,22 +59,19 @@ double raised(double base) {
 
 template <int kTightness>
 void spot(const LightFalloff& f, const RayBatch::Vectors& towards, const double* distance, int end, double* a) {
-  const Vec3& d = f.direction;
-  const double low = f.cos_falloff, high = f.cos_radius, limit = f.soft ? high : -HUGE_VAL;
+  const Vec3 d = f.direction;
+  const double low = f.cos_falloff, high = f.cos_radius, soft = f.soft_below;
   for (int i = 0; i < end; ++i) {
-    const double along = towards.x[i] * d.x + towards.y[i] * d.y + towards.z[i] * d.z,
-                 m = distance[i] > 0 ? -along : along;
-    const double u = (m - low) / (high - low), smooth = m < low ? 0 : m >= high ? 1 : u * u * (3 - 2 * u);
-    const double sharp = raised<kTightness>(m), dimmed = sharp * smooth, bright = m < limit ? dimmed : sharp;
-    a[i] = m <= 0 ? 0 : bright;
+    const double along = dot(towards.at(i), d), m = distance[i] > 0 ? -along : along;
+    a[i] = spot_profile(m, raised<kTightness>(m), low, high, soft);
   }
 }
 
 template <int kPower>
 void fade(double fade_distance, const double* distance, int end, double* a) {
   for (int i = 0; i < end; ++i) {
-    const double faded = a[i] * (2 / (1 + raised<kPower>(distance[i] / fade_distance)));
-    a[i] = a[i] == 0 ? 0 : faded;
+    const double left = a[i] * faded(raised<kPower>(distance[i] / fade_distance));
+    a[i] = a[i] == 0 ? 0 : left;
   }
 }
 

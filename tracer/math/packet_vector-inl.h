@@ -7,6 +7,7 @@
 #define VERISIM_MATH_PACKET_VECTOR_INL_H
 #endif
 
+#include "tracer/math/transform.h"
 #include "tracer/math/vec.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -25,6 +26,10 @@ HWY_INLINE P dot(const PacketVector<P>& a, const PacketVector<P>& b) {
 template <class P>
 HWY_INLINE P dot(const PacketVector<P>& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class P>
+HWY_INLINE P dot(const Vec3& a, const PacketVector<P>& b) {
+  return dot(b, a);
 }
 template <class P>
 HWY_INLINE PacketVector<P> transform_point(const Affine& m, const PacketVector<P>& p) {

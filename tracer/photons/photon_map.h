@@ -26,7 +26,6 @@ class PhotonMap {
   // The gather radius: `user` if positive, else estimated from the density around photons that `random` picks; times
   // multiplier (and 2 for media).
   void set_gather_radius(double user, double multiplier, int gather_max, bool media, CLibraryRandom& random);
-  double gather_radius() const { return radius_; }
 
   // Photons around a point of this map, found by `gather`.
   struct Gathered {

@@ -66,16 +66,6 @@ class FirstSurface {
   std::vector<WeightedTexture> weighted_, selection_;
 };
 
-// The ray of a position, without focal blur; of a mesh camera its first.
-std::optional<Ray> primary_ray(const CameraModel& camera, double x, double y) {
-  if (camera.mesh) return camera.mesh->ray(x, y, 0);
-  const std::optional<PrimaryRay> primary = camera.rays.at(x, y);
-  if (!primary) return std::nullopt;
-  Ray ray{primary->ray.origin, normalize(primary->ray.direction)};
-  if (camera.normal) ray.direction = perturb_direction(*camera.normal, ray.direction, primary->image);
-  return ray;
-}
-
 }  // namespace
 
 void resize_layers(Layers& layers, int width, int height) {
@@ -96,7 +86,7 @@ void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraMo
     for (int x = block.x; x < block.x + block.width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
       Look look;
-      if (const std::optional<Ray> ray = primary_ray(camera, x, y); ray && surface.hit(*ray, limit, hit)) {
+      if (const std::optional<Ray> ray = camera.ray(x, y); ray && surface.hit(*ray, limit, hit)) {
         if (layers.depth) layers.depths[i] = static_cast<float>(hit.t);
         if (layers.id) layers.ids[i] = static_cast<std::uint32_t>(hit.shape->surface->frame_object) + 1;
         look = surface.look(*ray, hit);
@@ -105,7 +95,7 @@ void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraMo
         look = {};
         for (int k = 0; k < kGrid * kGrid; ++k) {
           const double dx = (k % kGrid + 0.5) / kGrid - 0.5, dy = (k / kGrid + 0.5) / kGrid - 0.5;
-          const std::optional<Ray> ray = primary_ray(camera, x + dx, y + dy);
+          const std::optional<Ray> ray = camera.ray(x + dx, y + dy);
           if (!ray || !surface.hit(*ray, limit, hit)) continue;
           const Look part = surface.look(*ray, hit);
           look.normal += part.normal / static_cast<double>(kGrid * kGrid);

@@ -5,21 +5,11 @@ namespace {
 
 // A camera ray of a pixel position: lens and mesh cameras take their rays in turn.
 std::optional<Ray> camera_ray(const CameraModel& camera, double x, double y, int n) {
-  if (camera.mesh) {
-    std::optional<Ray> ray = camera.mesh->ray(x, y, n % camera.mesh->rays_per_pixel());
-    if (ray && camera.normal) ray->direction = perturb_direction(*camera.normal, ray->direction, {0, 0});
-    return ray;
-  }
-  std::optional<PrimaryRay> primary;
-  if (camera.blur) {
-    primary = camera.blur->ray(camera.rays, x, y, n % static_cast<int>(camera.blur->positions().size()));
-  } else {
-    primary = camera.rays.at(x, y);
-  }
+  if (!camera.blur) return camera.ray(x, y, n % camera.rays_per_sample());
+  const auto count = static_cast<int>(camera.blur->positions().size());
+  const std::optional<PrimaryRay> primary = camera.blur->ray(camera.rays, x, y, n % count);
   if (!primary) return std::nullopt;
-  Ray ray{primary->ray.origin, normalize(primary->ray.direction)};
-  if (camera.normal) ray.direction = perturb_direction(*camera.normal, ray.direction, primary->image);
-  return ray;
+  return camera.bent({primary->ray.origin, normalize(primary->ray.direction)}, primary->image);
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ struct LightSource {
   Flag photon_reflection = Flag::unset, photon_refraction = Flag::unset;
 
   bool has_beam() const { return info(kind).has_beam; }
+  bool fades() const { return fade_power > 0 && std::fabs(fade_distance) > kEpsilon; }
 };
 
 }  // namespace verisim::scene

@@ -19,8 +19,7 @@ bool allowed(scene::Flag object, scene::Flag light) {
 double PhotonShot::area_factor(double path) const {
   double factor = sigma * sigma;
   if (!light->parallel) factor *= path * path;
-  if (light->fade_power > 0 && std::fabs(light->fade_distance) > kEpsilon)
-    factor *= 2.0 / (1.0 + std::pow(path / light->fade_distance, static_cast<double>(light->fade_power)));
+  if (light->fades()) factor *= faded(std::pow(path / light->fade_distance, light->fade_power));
   return factor;
 }
 

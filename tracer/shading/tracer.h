@@ -108,6 +108,7 @@ class Tracer {
   };
   // Null: nobody watches.
   void set_observer(Observer* observer) { observer_ = observer; }
+  bool observed() const { return observer_ != nullptr; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
   // `entry`: where it enters the world, if known.
   Color trace_camera(const Ray& ray, bool origin_varies, double t_max = accel::kFarthestHit,

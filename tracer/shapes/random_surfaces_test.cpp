@@ -1,9 +1,9 @@
-// The same promises (surface_properties.h) of surfaces that are sampled, tessellated or without an inside, each to its
-// own accuracy.
+// The same promises (surface_test_support.h) of surfaces that are sampled, tessellated or without an inside, each to
+// its own accuracy.
 #include <filesystem>
 
 #include "tracer/shapes/heights/height_map.h"
-#include "tracer/shapes/surface_properties.h"
+#include "tracer/shapes/surface_test_support.h"
 #include "tracer/shapes/trace_test_support.h"
 
 namespace verisim::shapes::testing {

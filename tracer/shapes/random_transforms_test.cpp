@@ -1,4 +1,4 @@
-#include "tracer/shapes/surface_properties.h"
+#include "tracer/shapes/surface_test_support.h"
 
 namespace verisim::shapes::testing {
 namespace {

@@ -1,7 +1,7 @@
 #include "tracer/world/batch_kernels.h"
 #include <cmath>
 #include <limits>
-#include "tracer/shapes/quadrics/plane.h"
+#include "tracer/shapes/intersections.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/world/batch_kernels.cpp"
@@ -9,13 +9,16 @@
 
 #include "tracer/simd/kernel_table.h"
 #include "tracer/bvh/node_rays-inl.h"
+#include "tracer/shapes/local_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace verisim::accel {
 namespace {
 namespace HWY_NAMESPACE {
 
+using namespace shapes::HWY_NAMESPACE;
 using namespace simd::HWY_NAMESPACE;
+#include "tracer/shapes/quadrics/plane_intersections.inc"
 
 void node_rays(const Box3& bounds, const Vec3& center, double slack, const RayBatch& rays, int first, double t_min,
                NodeRays& there) {
@@ -35,15 +38,11 @@ unsigned before(const float* near, const NodeRays& rays, const double* limit) {
 
 unsigned plane(const Vec3& normal, double distance, const RayBatch& rays, int first, double t_min, const double* limit,
                double* t) {
-  const double nx = normal.x, ny = normal.y, nz = normal.z;
-  for (int i = 0; i < 8; ++i) {
-    const int r = first + i;
-    const double slope = nx * rays.direction.x[r] + ny * rays.direction.y[r] + nz * rays.direction.z[r];
-    const double along = (distance - (nx * rays.origin.x[r] + ny * rays.origin.y[r] + nz * rays.origin.z[r])) / slope;
-    t[i] = shapes::meets_plane(slope, along) ? along : -1;
-  }
-  const Packet met = load(t);
-  return bits((met >= t_min) & (met < load(limit)));
+  Packet slope, along;
+  const Mask met = plane_intersection(normal, distance, load_rays(rays.origin, first), load_rays(rays.direction, first),
+                                      slope, along);
+  store(t, select(met, along, -1.0));
+  return bits(met & (along >= t_min) & (along < load(limit)));
 }
 
 const BatchKernels kKernels = {node_rays, children, before, plane};

@@ -96,8 +96,8 @@ struct Plane {
   Vec3 normal;
   double distance;
   double distance_along(const Ray& ray) const {
-    const double slope = dot(normal, ray.direction), t = (distance - dot(normal, ray.origin)) / slope;
-    return shapes::meets_plane(slope, t) ? t : -1;
+    double slope, t;
+    return shapes::one_ray::plane_intersection(normal, distance, ray.origin, ray.direction, slope, t) ? t : -1;
   }
 };
 

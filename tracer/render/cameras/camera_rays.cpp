@@ -18,14 +18,14 @@ Vec3 unit(const Vec3& v) {
 
 CameraRays::CameraRays(const scene::Camera& camera, int width, int height, WindowPlace window)
     : kind_(camera.kind),
-      width_(width),
-      height_(height),
-      left_(window.left),
-      top_(window.top),
+      view_{static_cast<double>(width),
+            static_cast<double>(height),
+            static_cast<double>(window.left),
+            static_cast<double>(window.top),
+            camera.direction,
+            camera.right,
+            camera.up},
       location_(camera.location),
-      direction_(camera.direction),
-      right_(camera.right),
-      up_(camera.up),
       unit_direction_(unit(camera.direction)),
       unit_right_(unit(camera.right)),
       unit_up_(unit(camera.up)),
@@ -37,31 +37,16 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height, Windo
       origin_varies_(kind_ == scene::CameraKind::orthographic || kind_ == scene::CameraKind::cylinder3 ||
                      kind_ == scene::CameraKind::cylinder4) {}
 
-void CameraRays::window_directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const {
-  std::vector<Vec2> moved(places, places + count);
-  for (Vec2& place : moved) place += Vec2(left_, top_);
-  shading::wavefront_kernels().directions({width_, height_, direction_, right_, up_}, moved.data(), count, packet);
-}
-
-std::optional<LensCamera> CameraRays::perspective() const {
-  if (kind_ != scene::CameraKind::perspective) return std::nullopt;
-  LensCamera camera{};
-  camera.width = width_, camera.height = height_, camera.left = left_, camera.top = top_;
-  camera.location = location_, camera.direction = direction_, camera.right = right_, camera.up = up_;
-  return camera;
-}
-
 std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
   using Kind = scene::CameraKind;
-  // In this form: the last bits decide where a pattern's seam lies in a surface (measured: the sign of y on a plane y =
-  // 0 agrees in every pixel).
-  const double u = (x + left_ + 0.5) / width_, w = (height_ - (y + top_ + 0.5)) / height_;
+  const Vec2 place = view_.place(x, y);
+  const double u = place.x, w = place.y;
   const double uc = u - 0.5, wc = w - 0.5, u2 = 2 * u - 1, w2 = 2 * w - 1;
   switch (kind_) {
     case Kind::perspective:
-      return PrimaryRay{{location_, direction_ + uc * right_ + wc * up_}, {uc, wc}};
+      return PrimaryRay{{location_, view_.through(place)}, {uc, wc}};
     case Kind::orthographic:
-      return PrimaryRay{{location_ + uc * right_ + wc * up_, direction_}, {uc, wc}};
+      return PrimaryRay{{location_ + uc * view_.right + wc * view_.up, view_.direction}, {uc, wc}};
     case Kind::fisheye:
       return fisheye(u2 * right_length_, w2 * up_length_);
     case Kind::ultra_wide_angle: {
@@ -75,7 +60,8 @@ std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
     case Kind::panoramic: {
       const double phi = (1 - u) * kPi, psi = w2 * kPi / 2;
       const double tangent = std::fabs(kPi / 2 - std::fabs(psi)) < kEpsilon ? std::copysign(2e10, psi) : std::tan(psi);
-      return PrimaryRay{{location_, std::cos(phi) * right_ + tangent * up_ + std::sin(phi) * direction_}, {phi, psi}};
+      return PrimaryRay{{location_, std::cos(phi) * view_.right + tangent * view_.up + std::sin(phi) * view_.direction},
+                        {phi, psi}};
     }
     case Kind::cylinder1: {
       const double phi = uc * (angle_ * kDegree);
@@ -103,8 +89,8 @@ std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
     }
     case Kind::spherical: {
       const double horizontal = uc * horizontal_, vertical = wc * vertical_;
-      const Vec3 raised = Transform::axis_rotation(right_, -vertical).direction(direction_);
-      return PrimaryRay{{location_, Transform::axis_rotation(up_, horizontal).direction(raised)},
+      const Vec3 raised = Transform::axis_rotation(view_.right, -vertical).direction(view_.direction);
+      return PrimaryRay{{location_, Transform::axis_rotation(view_.up, horizontal).direction(raised)},
                         {horizontal, vertical}};
     }
     case Kind::mesh_camera:

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "tracer/render/cameras/lens_kernels.h"
+#include "tracer/math/perspective.h"
 #include "tracer/scene/camera.h"
 #include "tracer/shading/wavefront/wavefront_kernels.h"
 #include "tracer/textures/texture.h"
@@ -32,24 +32,22 @@ class CameraRays {
   // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a
   // multiple of RayBatch::kStep.
   void directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const {
-    if (left_ != 0 || top_ != 0) return window_directions(places, count, packet);
-    shading::wavefront_kernels().directions({width_, height_, direction_, right_, up_}, places, count, packet);
+    shading::wavefront_kernels().directions(view_, places, count, packet);
   }
-  // The parts of a perspective camera; empty: it is another one.
-  std::optional<LensCamera> perspective() const;
+  // Null: it is not a perspective camera.
+  const PerspectiveView* perspective() const { return kind_ == scene::CameraKind::perspective ? &view_ : nullptr; }
   // Rays start at different points, so the objects around the origin must be looked up for each (spec 02 section 1.8).
   bool origin_varies() const { return origin_varies_; }
 
  private:
-  void window_directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const;
   std::optional<PrimaryRay> fisheye(double p, double q) const;
   // phi: around the direction, from the right; theta: from the direction.
   PrimaryRay round_ray(double phi, double theta) const;
   std::optional<PrimaryRay> omnimax(double u2, double w2) const;
 
   scene::CameraKind kind_;
-  double width_, height_, left_, top_;
-  Vec3 location_, direction_, right_, up_;
+  PerspectiveView view_;
+  Vec3 location_;
   Vec3 unit_direction_, unit_right_, unit_up_;
   double right_length_, up_length_;
   double angle_;                  // degrees

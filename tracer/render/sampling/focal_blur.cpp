@@ -6,7 +6,6 @@
 
 #include "tracer/math/chi_square.h"
 #include "tracer/math/constants.h"
-#include "tracer/render/cameras/lens_kernels.h"
 #include "tracer/render/sampling/jitter.h"
 
 namespace verisim::render {
@@ -72,10 +71,9 @@ class Occupancy {
 FocalBlur::FocalBlur(const scene::Camera& camera, const Weight& bokeh)
     : minimum_(camera.blur_samples_min),
       aperture_(camera.aperture),
-      focal_scale_(camera.focal_distance / length(camera.direction)),
-      location_(camera.location) {
-  lens_x_ = normalize(cross(camera.up, camera.direction));
-  lens_y_ = normalize(cross(camera.direction, lens_x_));
+      lens_{camera.location, camera.focal_distance / length(camera.direction),
+            normalize(cross(camera.up, camera.direction)), Vec3()} {
+  lens_.along = normalize(cross(camera.direction, lens_.across));
   const int count = camera.blur_samples;
   std::vector<int> sizes;
   if (bokeh) {
@@ -180,29 +178,26 @@ std::optional<PrimaryRay> FocalBlur::ray(const CameraRays& camera, double x, dou
   const Points at = points(x, y, n);
   std::optional<PrimaryRay> primary = camera.at(at.picture.x, at.picture.y);
   if (!primary) return std::nullopt;
-  const Vec3 q = at.lens.x * lens_x_ - at.lens.y * lens_y_;
-  // Twice, as POV-Ray does: walls of prisms in other surfaces show the last bit (spec 08 B).
-  primary->ray = {location_ + q, normalize(normalize(primary->ray.direction * focal_scale_ - q))};
+  primary->ray = lens_.ray(at.lens.x, at.lens.y, primary->ray.direction);
   return primary;
 }
 
 void FocalBlur::rays(const CameraRays& camera, const Vec2* places, const std::uint32_t* numbers, int count,
                      RayBatch& rays) const {
-  std::optional<LensCamera> lens = camera.perspective();
-  if (!lens) {
+  const PerspectiveView* const view = camera.perspective();
+  if (!view) {
     for (int i = 0; i < count; ++i) {
       const Ray ray = this->ray(camera, places[i].x, places[i].y, static_cast<int>(numbers[i]))->ray;
       rays.origin.set(i, ray.origin), rays.direction.set(i, ray.direction);
     }
     return;
   }
-  lens->focal_scale = focal_scale_, lens->across = lens_x_, lens->along = lens_y_;
   LensPoints points;
   for (int i = 0; i < count; ++i) {
     const Points at = this->points(places[i].x, places[i].y, static_cast<int>(numbers[i]));
     points.x[i] = at.picture.x, points.y[i] = at.picture.y, points.across[i] = at.lens.x, points.along[i] = at.lens.y;
   }
-  lens_kernels().aim(*lens, points, count, rays);
+  lens_kernels().aim(*view, lens_, points, count, rays);
 }
 
 void FocalBlur::Average::add(const std::optional<Color>& seen) {
@@ -236,9 +231,10 @@ Box3 FocalBlur::lens() const {
   constexpr double kRounding = 1e-6;
   Vec3 reach;
   for (int i = 0; i < 3; ++i)
-    reach[i] = (lens_extent_.x * std::fabs(lens_x_[i]) + lens_extent_.y * std::fabs(lens_y_[i])) * (1 + kRounding) +
-               1e-12 * std::fabs(location_[i]);
-  return {location_ - reach, location_ + reach};
+    reach[i] =
+        (lens_extent_.x * std::fabs(lens_.across[i]) + lens_extent_.y * std::fabs(lens_.along[i])) * (1 + kRounding) +
+        1e-12 * std::fabs(lens_.location[i]);
+  return {lens_.location - reach, lens_.location + reach};
 }
 
 // A ray is at location + q + s (d - q) for s >= 0, where q lies on the lens and d leads to the point that is in focus.
@@ -247,25 +243,26 @@ Box3 FocalBlur::lens() const {
 std::optional<accel::Shaft> FocalBlur::shaft(const CameraRays& camera, const Box3& world, double left, double top,
                                              double right, double bottom) const {
   constexpr double kJitter = 0.54, kRounding = 1e-6;  // the pixel's area is jittered by less, see `ray`
-  const Vec3 ahead = cross(lens_x_, lens_y_);
+  const Vec3 ahead = cross(lens_.across, lens_.along);
   Box3 focused;
   double depth = std::numeric_limits<double>::infinity(), furthest = 0;
   for (const Vec2& at : {Vec2(left - kJitter, top - kJitter), Vec2(right + kJitter, top - kJitter),
                          Vec2(left - kJitter, bottom + kJitter), Vec2(right + kJitter, bottom + kJitter)}) {
-    const Vec3 d = camera.at(at.x, at.y)->ray.direction * focal_scale_;
+    const Vec3 d = camera.at(at.x, at.y)->ray.direction * lens_.focal_scale;
     focused.extendBy(d);
     depth = std::min(depth, dot(d, ahead));
   }
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p(corner & 1 ? world.max.x : world.min.x, corner & 2 ? world.max.y : world.min.y,
                  corner & 4 ? world.max.z : world.min.z);
-    furthest = std::max(furthest, dot(p - location_, ahead));
+    furthest = std::max(furthest, dot(p - lens_.location, ahead));
   }
   if (!(depth > 0)) return std::nullopt;
   const double s = furthest / depth * (1 + kRounding);
   const Box3 from = lens();
   const Vec3 spread = 0.5 * (from.max - from.min) * std::fabs(1 - s);
-  return accel::Shaft::between(from, {location_ + s * focused.min - spread, location_ + s * focused.max + spread});
+  return accel::Shaft::between(from,
+                               {lens_.location + s * focused.min - spread, lens_.location + s * focused.max + spread});
 }
 
 }  // namespace verisim::render

@@ -6,6 +6,7 @@
 
 #include "tracer/bvh/shaft.h"
 #include "tracer/render/cameras/camera_rays.h"
+#include "tracer/render/cameras/lens_kernels.h"
 
 namespace verisim::render {
 
@@ -73,8 +74,8 @@ class FocalBlur {
   std::vector<Group> groups_;
   double lens_jitter_ = 0;
   int minimum_;
-  double aperture_, focal_scale_;  // focal distance over the length of the direction
-  Vec3 location_, lens_x_, lens_y_;
+  double aperture_;
+  Lens lens_;
   Vec2 lens_extent_{0, 0};  // no ray starts further from the centre, along either axis
 };
 

@@ -12,28 +12,11 @@ constexpr Color kNoRay{0, 0, 0, 0, 1};
 
 }  // namespace
 
-std::optional<Ray> PixelSampler::free_ray(const Vec2& place, int number) const {
-  Ray ray;
-  Vec2 image(0, 0);
-  if (camera_.mesh) {
-    const std::optional<Ray> from_face = camera_.mesh->ray(place.x, place.y, number);
-    if (!from_face) return std::nullopt;
-    ray = *from_face;
-  } else {
-    const std::optional<PrimaryRay> primary = camera_.rays.at(place.x, place.y);
-    if (!primary) return std::nullopt;
-    ray = {primary->ray.origin, normalize(primary->ray.direction)};
-    image = primary->image;
-  }
-  if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
-  return ray;
-}
-
 Color PixelSampler::free_sample(const Vec2& place) {
   Color sum;
   int shot = 0;
   for (int k = 0; k < camera_.rays_per_sample(); ++k) {
-    const std::optional<Ray> ray = free_ray(place, k);
+    const std::optional<Ray> ray = camera_.ray(place.x, place.y, k);
     if (!ray) continue;
     tracer_.random().begin_sample(place.x, place.y, static_cast<std::uint32_t>(k));
     sum += tracer_.trace_camera(*ray, starts_differ_, camera_.limit());
@@ -54,7 +37,7 @@ void PixelSampler::free_points(int count, Color* colors) {
   for (int i = 0; i < count; ++i) {
     colors[i] = {};
     for (int k = 0; k < camera_.rays_per_sample(); ++k) {
-      const std::optional<Ray> ray = free_ray(places[i], k);
+      const std::optional<Ray> ray = camera_.ray(places[i].x, places[i].y, k);
       if (!ray) continue;
       rays[waiting++] = {*ray, i, k};
       ++shot[i];

@@ -29,7 +29,7 @@ std::optional<Color> PixelSampler::lens_ray(const Vec2& place, int number, bool&
   tracer_.random().begin_sample(place.x, place.y, static_cast<std::uint32_t>(number));
   const LensIsHollow scope(tracer_, hollow);
   if (hollow_shows(tracer_.scene())) hollow = tracer_.camera_state(primary->ray, starts_differ_).hollow;
-  return trace(primary->ray, primary->image);
+  return tracer_.trace_camera(camera_.bent(primary->ray, primary->image), starts_differ_);
 }
 
 Color PixelSampler::lens_sample(const Vec2& place) {

@@ -55,6 +55,16 @@ void CameraModel::find_coherence(int width, int height) {
   coherence = {rays.origin_varies() ? Kind::parallel : Kind::common_origin, std::max(apart(*right), apart(*below))};
 }
 
+std::optional<Ray> CameraModel::ray(double x, double y, int number) const {
+  if (mesh) {
+    const std::optional<Ray> of_face = mesh->ray(x, y, number);
+    return of_face ? std::optional(bent(*of_face, Vec2(0, 0))) : std::nullopt;
+  }
+  const std::optional<PrimaryRay> primary = rays.at(x, y);
+  if (!primary) return std::nullopt;
+  return bent({primary->ray.origin, normalize(primary->ray.direction)}, primary->image);
+}
+
 double CameraModel::limit() const {
   return mesh && camera.max_distance >= kEpsilon ? camera.max_distance : accel::kFarthestHit;
 }
@@ -81,9 +91,9 @@ Color PixelSampler::operator()(double x, double y) {
   if (camera_.free()) return free_sample({x, y});
   if (camera_.blur) return lens_sample({x, y});
   tracer_.random().begin_sample(x, y, 0);
-  const PrimaryRay primary = *camera_.rays.at(x, y);
   int one = 1;
-  return trace({primary.ray.origin, normalize(primary.ray.direction)}, primary.image, entry(x, y, one));
+  const accel::WorldEntry* const from = entry(x, y, one);
+  return tracer_.trace_camera(*camera_.ray(x, y), starts_differ_, accel::kFarthestHit, from);
 }
 
 const accel::WorldEntry* PixelSampler::entry(double x, double y, int& count) {
@@ -185,11 +195,6 @@ void PixelSampler::point_wavefront(int count, Color* colors) {
   const accel::WorldEntry* entries[shading::Wavefront::kMax];
   for (int i = 0, one = 1; i < count; ++i) entries[i] = entry(wavefront_.places()[i].x, wavefront_.places()[i].y, one);
   wavefront_.trace(count, entries, colors);
-}
-
-Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {
-  if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
-  return tracer_.trace_camera(ray, starts_differ_, accel::kFarthestHit, entry);
 }
 
 void PixelSampler::other_points(int count, Color* colors) {

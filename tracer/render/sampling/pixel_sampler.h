@@ -28,6 +28,14 @@ struct CameraModel {
   // for.
   bool free() const { return !linear && !blur; }
   int rays_per_sample() const { return mesh ? mesh->rays_per_pixel() : 1; }
+  // The ray of a position, without focal blur: a unit direction, bent by the camera's normal; of a mesh camera its
+  // `number`-th. Empty: there is none.
+  std::optional<Ray> ray(double x, double y, int number = 0) const;
+  // A ray of unit direction, bent by the camera's normal.
+  Ray bent(Ray ray, const Vec2& image) const {
+    if (normal) ray.direction = perturb_direction(*normal, ray.direction, image);
+    return ray;
+  }
   // How far camera rays go.
   double limit() const;
   // The shaft of all rays of a rectangle of the picture, for linear cameras, through a world with these bounds.
@@ -51,8 +59,6 @@ class PixelSampler {
   bool any_order() const { return !tracer_.in_order(); }
 
  private:
-  Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
-
   bool together() const { return (camera_.linear || camera_.free()) && wavefront_.usable(); }
   // The colours at the wavefront's places: linear cameras with a lens, cameras that are not linear.
   void other_points(int count, Color* colors);
@@ -82,7 +88,6 @@ class PixelSampler {
     Ray ray;
     int sample, number;
   };
-  std::optional<Ray> free_ray(const Vec2& place, int number) const;
   Color free_sample(const Vec2& place);
   void free_points(int count, Color* colors);
   void free_wavefront(std::span<const FreeRay> rays, const Vec2* places, Color* sums);

@@ -36,7 +36,7 @@ class Wavefront {
   void trace(int count, const accel::WorldEntry* const* entries, Color* out);
 
   // ---- wavefront_gather.cpp: radiosity's rays
-  // False: they have to be shaded one after another.
+  // False: they have to be shaded one after another, in their own order.
   bool can_gather() const;
   // Takes one more ray, its random numbers and what it hits (null: nothing).
   void add_gathering(const Ray& ray, RandomSource::Key key, const shapes::Hit* hit, FinalGatherNotes& notes);

@@ -8,7 +8,7 @@ namespace verisim::shading {
 
 bool Wavefront::can_gather() const {
   const double bailout = scene_.scene.settings.radiosity.adc_bailout;
-  return usable_ && !tracer_.observer_ && bailout >= 0 && bailout < 1;
+  return usable_ && bailout >= 0 && bailout < 1;
 }
 
 void Wavefront::add_gathering(const Ray& ray, RandomSource::Key key, const shapes::Hit* hit, FinalGatherNotes& notes) {

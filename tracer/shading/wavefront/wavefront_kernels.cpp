@@ -23,18 +23,10 @@ constexpr int rounded(int count) {
   return (count + WavefrontPacket::kStep - 1) / WavefrontPacket::kStep * WavefrontPacket::kStep;
 }
 
-void directions(const WavefrontCamera& camera, const Vec2* places, int count, WavefrontPacket& packet) {
-  const Vec3 &d = camera.direction, &r = camera.right, &u = camera.up;
+void directions(const PerspectiveView& view, const Vec2* places, int count, WavefrontPacket& packet) {
   const int end = rounded(count);
-  for (int i = 0; i < end; ++i) {
-    const double uc = (places[i].x + 0.5) / camera.width - 0.5,
-                 wc = (camera.height - (places[i].y + 0.5)) / camera.height - 0.5;
-    const double vx = d.x + uc * r.x + wc * u.x, vy = d.y + uc * r.y + wc * u.y, vz = d.z + uc * r.z + wc * u.z;
-    const double inverse = 1 / std::sqrt(vx * vx + vy * vy + vz * vz);
-    packet.rays.direction.x[i] = vx * inverse;
-    packet.rays.direction.y[i] = vy * inverse;
-    packet.rays.direction.z[i] = vz * inverse;
-  }
+  for (int i = 0; i < end; ++i)
+    packet.rays.direction.set(i, normalize(view.through(view.place(places[i].x, places[i].y))));
 }
 
 void face(int count, WavefrontPacket& packet) {

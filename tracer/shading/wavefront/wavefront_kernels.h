@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "tracer/math/color.h"
+#include "tracer/math/perspective.h"
 #include "tracer/math/ray_batch.h"
 
 namespace verisim::shading {
@@ -45,15 +46,9 @@ struct alignas(64) WavefrontPacket {
   std::int32_t uncertain[kMax];  // not 0: the last bit of what `strength` makes of the intensity is not known
 };
 
-// The parts of a perspective camera.
-struct WavefrontCamera {
-  double width, height;
-  Vec3 direction, right, up;
-};
-
 struct WavefrontKernels {
   // Unit directions of the rays through places of the picture, for whose number as of rays there is room.
-  void (*directions)(const WavefrontCamera& camera, const Vec2* places, int count, WavefrontPacket& packet);
+  void (*directions)(const PerspectiveView& view, const Vec2* places, int count, WavefrontPacket& packet);
   // Sets cosine from normals and directions.
   void (*face)(int count, WavefrontPacket& packet);
   // What arrives if nothing is in the way: sets active, intensity, diffuse and shines. False: nowhere anything.

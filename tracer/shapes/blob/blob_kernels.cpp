@@ -95,6 +95,7 @@ HWY_INLINE Number peak_of(const BlobPart& part, const Course<Number>& course) {
 std::uint64_t near_parts(const PartSpheres* spheres, std::size_t blocks, const Vec3& o, const Vec3& d, double apart,
                          double bent) {
   const double size2 = dot(d, d), inverse2 = 1 / size2;
+  if (!(size2 < HUGE_VAL)) apart = HUGE_VAL;  // any part may be near, as for packets with such a ray
   std::uint64_t near = 0;
   for (std::size_t n = 0; n < blocks; ++n) {
     const PartSpheres& s = spheres[n];

@@ -22,6 +22,7 @@ using namespace simd::HWY_NAMESPACE;
 
 #include "tracer/shapes/quadrics/box_intersections.inc"
 #include "tracer/shapes/quadrics/cone_intersections.inc"
+#include "tracer/shapes/quadrics/plane_intersections.inc"
 #include "tracer/shapes/quadrics/quadric_intersections.inc"
 #include "tracer/shapes/quadrics/sphere_intersections.inc"
 
@@ -41,7 +42,7 @@ unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
   const unsigned turned = s.inverted ? (1u << Number::kCount) - 1 : 0;
   switch (s.form) {
     case SimpleSolid::Form::plane:
-      return bits(p.x * s.a.x + p.y * s.a.y + p.z * s.a.z - s.c < kEpsilon) ^ turned;
+      return bits(within_plane(s.a, s.c, p)) ^ turned;
     case SimpleSolid::Form::sphere: {
       const Number distance2 = distance2_between(p, s.a);
       return bits(s.inverted ? distance2 > s.c : distance2 < s.c);

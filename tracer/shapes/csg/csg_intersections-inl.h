@@ -10,7 +10,6 @@
 
 #include "tracer/shapes/csg/csg_inside-inl.h"
 #include "tracer/shapes/local_rays-inl.h"
-#include "tracer/shapes/quadrics/plane.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace verisim::shapes {
@@ -139,8 +138,9 @@ template <class Number>
 void cross_plane(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& p = n.simple;
   const NodeRay<Number> ray(s, n);
-  const Number slope = dot(ray.d, p.a), t = (Number(p.c) - dot(ray.o, p.a)) / slope;
-  consider(s, n, t, ~(abs(slope) < kEpsilon) & (t >= kNearestPlane) & (t <= kFarthestPlane), IntsFor<Number>(0));
+  Number slope, t;
+  const typename Number::Mask met = plane_intersection(p.a, p.c, ray.o, ray.d, slope, t);
+  consider(s, n, t, met, IntsFor<Number>(0));
 }
 
 // The points of balls with a matrix come back from their own space.

@@ -16,9 +16,9 @@ class Plane final : public Primitive<Plane> {
   void intersections(const Ray& ray, Sink& sink) const {
     // With a matrix the local direction is not normalised, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
-    const double slope = dot(normal_, d);
-    const double t = (distance_ - dot(normal_, o)) / slope;
-    if (meets_plane(slope, t)) sink.add(t, [&] { return ray.origin + t * ray.direction; });
+    double slope, t;
+    if (one_ray::plane_intersection(normal_, distance_, o, d, slope, t))
+      sink.add(t, [&] { return ray.origin + t * ray.direction; });
   }
 
   SimpleSolid simple() const override {
@@ -29,7 +29,7 @@ class Plane final : public Primitive<Plane> {
             .c = distance_};
   }
 
-  bool contains(const Vec3& p) const { return dot(local(p), normal_) - distance_ < kEpsilon; }
+  bool contains(const Vec3& p) const { return one_ray::within_plane(normal_, distance_, local(p)); }
   Vec3 geometric_normal(const Hit&) const { return has_matrix() ? world_normal(normal_) : normal_; }
 
  private:

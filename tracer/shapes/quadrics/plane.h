@@ -1,17 +1,9 @@
-// Where a ray meets a plane: shared by the shape and by what tests many rays against it at once (spec 03 4.5).
+// A plane and one ray: shared by the shape and by what looks at the planes of a scene before all else.
 #pragma once
 
-#include <cmath>
-
 #include "tracer/math/vec.h"
+#include "tracer/shapes/intersections.h"
 
-namespace verisim::shapes {
-
-inline constexpr double kNearestPlane = 1e-6, kFarthestPlane = 1e7;
-
-// `slope`: normal . direction; `t`: (distance - normal . origin) / slope.
-inline bool meets_plane(double slope, double t) {
-  return !(std::fabs(slope) < kEpsilon) && t >= kNearestPlane && t <= kFarthestPlane;
-}
-
-}  // namespace verisim::shapes
+namespace verisim::shapes::one_ray {
+#include "tracer/shapes/quadrics/plane_intersections.inc"
+}  // namespace verisim::shapes::one_ray

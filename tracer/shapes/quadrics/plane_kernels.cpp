@@ -1,12 +1,12 @@
 #include "tracer/shapes/quadrics/plane_set.h"
-#include "tracer/shapes/quadrics/plane.h"
+#include "tracer/shapes/intersections.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/shapes/quadrics/plane_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
 #include "tracer/simd/kernel_table.h"
-#include "tracer/simd/packet-inl.h"
+#include "tracer/shapes/local_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace verisim::shapes {
@@ -14,6 +14,7 @@ namespace {
 namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
+#include "tracer/shapes/quadrics/plane_intersections.inc"
 
 constexpr double kFar = 1e300;
 
@@ -25,39 +26,34 @@ HWY_INLINE double least(const Packet& a) {
   return result;
 }
 
-HWY_INLINE Mask meets(const Packet& slope, const Packet& t) {
-  return ~(abs(slope) < kEpsilon) & (t >= kNearestPlane) & (t <= kFarthestPlane);
-}
+HWY_INLINE PacketVector<Packet> normals(const EightPlanes& p) { return {load(p.x), load(p.y), load(p.z)}; }
 
 unsigned meet(const EightPlanes& planes, const Ray& ray, double doubt, double* t, double& enter, double& leave) {
-  const Packet x = load(planes.x), y = load(planes.y), z = load(planes.z);
-  const Packet slope = x * ray.direction.x + y * ray.direction.y + z * ray.direction.z;
-  const Packet along = (load(planes.distance) - (x * ray.origin.x + y * ray.origin.y + z * ray.origin.z)) / slope;
+  Packet slope, along;
+  const Mask met = plane_intersection(normals(planes), load(planes.distance), ray.origin, ray.direction, slope, along);
   store(t, along);
   const Packet out = slope * load(planes.side), margin = doubt / abs(slope);
   const double first = least(select(out > kEpsilon, along + margin, kFar)),
                last = -least(select(out < -kEpsilon, margin - along, kFar));
   if (first < leave) leave = first;
   if (last > enter) enter = last;
-  return bits(meets(slope, along));
+  return bits(met);
 }
 
 unsigned behind(const EightPlanes& planes, const Vec3& p) {
-  return bits(p.x * load(planes.x) + p.y * load(planes.y) + p.z * load(planes.z) - load(planes.distance) < kEpsilon);
+  return bits(within_plane(normals(planes), load(planes.distance), p));
 }
 
 unsigned meet_batch(const EightPlanes& planes, int i, const RayBatch& rays, int first, const double* doubt, double* t,
                     double* enter, double* leave) {
-  const double x = planes.x[i], y = planes.y[i], z = planes.z[i];
-  const Packet ox = load(rays.origin.x + first), oy = load(rays.origin.y + first), oz = load(rays.origin.z + first);
-  const Packet dx = load(rays.direction.x + first), dy = load(rays.direction.y + first),
-               dz = load(rays.direction.z + first);
-  const Packet slope = x * dx + y * dy + z * dz, along = (planes.distance[i] - (x * ox + y * oy + z * oz)) / slope;
+  Packet slope, along;
+  const Mask met = plane_intersection(Vec3(planes.x[i], planes.y[i], planes.z[i]), planes.distance[i],
+                                      load_rays(rays.origin, first), load_rays(rays.direction, first), slope, along);
   store(t, along);
   const Packet out = slope * planes.side[i], margin = load(doubt) / abs(slope);
   store(leave, min(load(leave), select(out > kEpsilon, along + margin, kFar)));
   store(enter, max(load(enter), select(out < -kEpsilon, along - margin, -kFar)));
-  return bits(meets(slope, along));
+  return bits(met);
 }
 
 void clip_axis(double low, double high, const double* origin, const double* direction, double* near, double* far) {

@@ -17,6 +17,7 @@
 #include <immintrin.h>
 #endif
 
+#include "hwy/base.h"
 #include "tracer/functions/program_packet.h"
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/textures/evaluation/evaluation_faults.h"
@@ -56,9 +57,12 @@ namespace baseline {
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace baseline
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#pragma GCC push_options
-#pragma GCC target("avx2,bmi2")
+#if defined(__x86_64__)
+// Clang's attributes of a region pass over lambdas.
+#undef VERISIM_INLINE_LAMBDA
+#define VERISIM_INLINE_LAMBDA __attribute__((always_inline, target(VERISIM_TARGET)))
+#define VERISIM_TARGET "avx2,bmi2"
+HWY_PUSH_ATTRIBUTES(VERISIM_TARGET)
 namespace avx2 {
 #define VERISIM_INSTRUCTION_SET "avx2"
 #define VERISIM_REGISTER_DOUBLES 4
@@ -66,7 +70,10 @@ namespace avx2 {
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx2
-#pragma GCC target("avx2,bmi2,avx512f,avx512dq,avx512vl,avx512bw")
+HWY_POP_ATTRIBUTES
+#undef VERISIM_TARGET
+#define VERISIM_TARGET "avx2,bmi2,avx512f,avx512dq,avx512vl,avx512bw"
+HWY_PUSH_ATTRIBUTES(VERISIM_TARGET)
 namespace avx512 {
 #define VERISIM_INSTRUCTION_SET "avx512"
 #define VERISIM_REGISTER_DOUBLES 8
@@ -74,7 +81,7 @@ namespace avx512 {
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx512
-#pragma GCC pop_options
+HWY_POP_ATTRIBUTES
 
 const NoiseKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &baseline::kKernels, &avx2::kKernels,
                                                           &avx512::kKernels};

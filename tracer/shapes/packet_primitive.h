@@ -8,20 +8,21 @@ namespace verisim::shapes {
 
 // A shape whose kernel finds the nearest hit of every ray by itself. It writes
 //   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const;
-// and may write `point_of`. With clips and bounds of its own, one ray is asked after another.
+// and may write `point_of`. With clips and bounds of its own it is asked as a tree
+// of CSG.
 template <class Derived>
 class KernelPrimitive : public Primitive<Derived> {
  public:
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    if (guarded_) return Primitive<Derived>::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     PacketHits met;
     derived().meet(rays, t_min, t_max, met);
     return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return derived().point_of(met, k, ray); });
   }
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
                            const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    if (guarded_) return Primitive<Derived>::occludes_packet(rays, entry, t_min, t_max);
     PacketHits met;
     derived().meet(rays, t_min, t_max, met);
     return packet_hits(met, rays);

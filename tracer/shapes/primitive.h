@@ -12,7 +12,9 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
+#include "tracer/shapes/tree_on_demand.h"
 #include "tracer/shapes/scratch_hits.h"
 #include "tracer/shapes/shape.h"
 
@@ -34,6 +36,13 @@ struct Guards {
   bool admit(const Ray& ray) const;
   // The lanes that are admitted.
   unsigned admit(const RayPacket& rays) const;
+  // The lanes of a packet that hit the shape that these guard, if that is a simple solid. Null `hits`: any hit will do.
+  // Nothing: one ray is to be asked after another.
+  std::optional<unsigned> meet(const Shape& shape, const RayPacket& rays, RayKind kind, double t_min,
+                               const double* t_max, Hit* hits) const;
+
+ private:
+  TreeOnDemand tree_;
 };
 
 inline std::span<const std::unique_ptr<Shape>> clips_of(const Guards* guards) {
@@ -177,6 +186,18 @@ class Primitive : public Shape {
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit, true);
     derived().intersections(ray, sink);
     return sink.found();
+  }
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guards_)
+      if (const auto lanes = guards_->meet(*this, rays, kind, t_min, t_max, hits)) return *lanes;
+    return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+  }
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guards_)
+      if (const auto lanes = guards_->meet(*this, rays, RayKind::shadow, t_min, t_max, nullptr)) return *lanes;
+    return Shape::occludes_packet(rays, entry, t_min, t_max);
   }
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && derived().formula(p); }
   bool inside_unclipped(const Vec3& p) const final { return derived().formula(p); }

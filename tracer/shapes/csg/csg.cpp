@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tracer/shapes/csg/csg_tree.h"
+#include "tracer/shapes/tree_on_demand.h"
 #include "tracer/shapes/factories.h"
 
 namespace verisim::shapes {
@@ -41,7 +42,30 @@ class Sum : public CsgShape {
     return solids_.any_around(p, [&](std::uint32_t i) { return child(i).inside(p); });
   }
 
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const final {
+    const CsgTree* tree = this->tree();
+    if (!tree || std::popcount(rays.active) < CsgTree::kMin)
+      return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    return tree->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
+  }
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const final {
+    const CsgTree* tree = this->tree();
+    if (!tree || std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    return tree->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
+  }
+
  protected:
+  // Of few and mostly simple parts (else null): finds the same in less time.
+  const CsgTree* tree() const {
+    return tree_.get([&]() -> std::unique_ptr<const CsgTree> {
+      // The nearest of a union is looked for within boxes, which what reports other distances may reach out of.
+      const bool merge = object->as<scene::Csg>()->kind == scene::CsgKind::merge;
+      if (!merge && !reports_true_distances(*this)) return nullptr;
+      return CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {});
+    });
+  }
   bool hidden(std::uint32_t i, RayKind kind) const { return hidden_[i] >> static_cast<unsigned>(kind) & 1; }
   // p is inside another child that this kind of ray sees.
   bool inside_another(const Vec3& p, std::uint32_t self, RayKind kind) const {
@@ -54,6 +78,7 @@ class Sum : public CsgShape {
   std::vector<unsigned> hidden_;
   std::vector<std::uint32_t> outside_in_;  // children that contain everything outside a box
   ChildIndex solids_;                      // the others
+  TreeOnDemand tree_;
 };
 
 class Union final : public Sum {
@@ -77,6 +102,8 @@ class Union final : public Sum {
     return nearest(ray, kind, t_min, t_max, &clips, hit);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
+    if (const CsgTree* tree = this->tree())
+      return tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr});
     if (guards_ && !guards_->admit(ray)) return false;
     const bool clipped = guards_ && !guards_->clips.empty();
     bool found = false;
@@ -92,6 +119,7 @@ class Union final : public Sum {
  private:
   // `clips`: those of the unions around this one, or null.
   bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
+    if (const CsgTree* tree = this->tree()) return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), clips}, hit);
     if (!guards_) return nearest_of_children(ray, kind, t_min, t_max, t_min, t_max, clips, hit);
     double near = t_min, far = t_max;
     if (!accel::clip_to_box(ray, bounds_, near, far) || !guards_->admit(ray)) return false;
@@ -144,19 +172,6 @@ class Merge final : public Sum {
     return tree ? tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
                 : Shape::occludes(ray, t_min, t_max);
   }
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    const CsgTree* tree = this->tree();
-    if (!tree || std::popcount(rays.active) < CsgTree::kMin)
-      return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    return tree->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    const CsgTree* tree = this->tree();
-    if (!tree || std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    return tree->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
-  }
 
  private:
   bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
@@ -174,14 +189,6 @@ class Merge final : public Sum {
       return !inside_another(p, self, kind) && within_clips(p, clips);
     });
   }
-
-  // Of few and mostly simple parts (else null): finds the same in less time.
-  const CsgTree* tree() const {
-    return tree_.get(
-        [&] { return CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {}); });
-  }
-
-  TreeOnDemand tree_;
 };
 
 // What tests hits turns those of each child around, so that of equally near ones within a child that is CSG itself the

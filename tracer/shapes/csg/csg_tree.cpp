@@ -1,6 +1,7 @@
 #include "tracer/shapes/csg/csg_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -56,6 +57,7 @@ std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
 
 struct CsgTree::Builder {
   CsgTree& tree;
+  const Shape* admitted = nullptr;             // rays are known to meet its bounds
   std::vector<double> cost{};                  // of an inside test, by node
   std::vector<std::uint32_t> clipped_nodes{};  // whose clips are still to be added
 
@@ -76,7 +78,7 @@ struct CsgTree::Builder {
                                                                                     : CsgNode::Kind::sum;
       n.boxed = accel::is_finite(n.box);
       test_cost = add_children(n, shape.children(), top_child && n.kind == CsgNode::Kind::intersection);
-    } else if (is_simple(shape)) {
+    } else if (is_simple(shape) || (&shape == admitted && shape.simple().form != SimpleSolid::Form::other)) {
       n.kind = CsgNode::Kind::simple;
       n.simple = shape.simple();
       n.plain = shape.clips().empty();
@@ -244,6 +246,41 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
   tree->proxies.assign(proxies.begin(), proxies.end());
   return tree;
+}
+
+std::unique_ptr<const CsgTree> CsgTree::of_guarded(const Shape& shape) {
+  const std::size_t count = 2 + count_nodes(shape.clips());
+  if (shape.simple().form == SimpleSolid::Form::other || count > kMaxNodes) return nullptr;
+  std::unique_ptr<CsgTree> tree(new CsgTree(csg_kernels()));
+  tree->nodes.reserve(count);
+  Builder builder{.tree = *tree, .admitted = &shape};
+  tree->nodes.emplace_back();
+  builder.cost.push_back(0);
+  const std::uint32_t node = builder.add(shape, false);
+  tree->nodes[0].end = static_cast<std::uint32_t>(tree->nodes.size());
+  builder.add_clips();
+  std::vector<CsgTest> path;
+  builder.add_tests(node, path);
+  return tree;
+}
+
+std::optional<unsigned> Guards::meet(const Shape& shape, const RayPacket& rays, RayKind kind, double t_min,
+                                     const double* t_max, Hit* hits) const {
+  if (std::popcount(rays.active) < CsgTree::kMin) return std::nullopt;
+  const CsgTree* const tree = tree_.get([&] { return CsgTree::of_guarded(shape); });
+  if (!tree) return std::nullopt;
+  const RayPacket admitted{rays.rays, rays.first, bounds.empty() ? rays.active : admit(rays)};
+  if (admitted.active == 0) return 0;
+  const CsgQuery query{kind, t_min, t_max, nullptr, nullptr};
+  return hits ? tree->nearest(admitted, query, hits) : tree->occluded(admitted, query);
+}
+
+TreeOnDemand::~TreeOnDemand() { delete tree_.load(std::memory_order_relaxed); }
+
+void TreeOnDemand::keep(std::unique_ptr<const CsgTree> made) const {
+  const CsgTree* none = nullptr;
+  if (tree_.compare_exchange_strong(none, made.get(), std::memory_order_acq_rel)) made.release();
+  known_.store(true, std::memory_order_release);
 }
 
 unsigned CsgTree::nearest(const RayPacket& rays, const CsgQuery& query, Hit* hits) const {

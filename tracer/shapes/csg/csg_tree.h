@@ -6,7 +6,6 @@
 // is made of is asked.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -87,6 +86,8 @@ class CsgTree {
   static std::unique_ptr<const CsgTree> of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
                                            const Box3& limit, std::span<const InteriorProxy> proxies,
                                            int instruction_set = kBest);
+  // Of a simple solid and its clips, for rays that its bounds admit; null: the shape is none.
+  static std::unique_ptr<const CsgTree> of_guarded(const Shape& shape);
 
   // Lanes that are hit, and where.
   unsigned nearest(const RayPacket& rays, const CsgQuery& query, Hit* hits) const;
@@ -110,34 +111,6 @@ class CsgTree {
   struct Builder;
   explicit CsgTree(const CsgKernels& kernels) : kernels_(kernels) {}
   const CsgKernels& kernels_;
-};
-
-// The tree of an object, made when the first ray asks: most objects of a large scene are never met, or only as parts of
-// others' trees.
-class TreeOnDemand {
- public:
-  TreeOnDemand() = default;
-  TreeOnDemand(const TreeOnDemand&) = delete;
-  ~TreeOnDemand() { delete tree_.load(std::memory_order_relaxed); }
-
-  // make() is CsgTree::of with the arguments of the object.
-  template <class Make>
-  const CsgTree* get(Make&& make) const {
-    if (!known_.load(std::memory_order_acquire)) [[unlikely]]
-      keep(make());
-    return tree_.load(std::memory_order_relaxed);
-  }
-
- private:
-  // Threads that ask at the same time make the same tree; the first is kept.
-  void keep(std::unique_ptr<const CsgTree> made) const {
-    const CsgTree* none = nullptr;
-    if (tree_.compare_exchange_strong(none, made.get(), std::memory_order_acq_rel)) made.release();
-    known_.store(true, std::memory_order_release);
-  }
-
-  mutable std::atomic<const CsgTree*> tree_{nullptr};
-  mutable std::atomic<bool> known_{false};
 };
 
 // Which kinds of rays do not see a child of an undissolved union or of a merge (spec 03 5.5), as bits.

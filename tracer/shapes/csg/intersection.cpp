@@ -6,6 +6,7 @@
 #include "tracer/shapes/convex.h"
 #include "tracer/shapes/csg/csg.h"
 #include "tracer/shapes/csg/csg_tree.h"
+#include "tracer/shapes/tree_on_demand.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/csg/interior_proxy.h"
 #include "tracer/shapes/quadrics/plane_set.h"

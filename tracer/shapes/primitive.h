@@ -11,6 +11,8 @@
 // when it finds hits in increasing distance.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -43,6 +45,7 @@ struct Guards {
 
  private:
   TreeOnDemand tree_;
+  mutable std::atomic<std::uint8_t> asked_{0};  // how often for packets, up to where a tree pays
 };
 
 inline std::span<const std::unique_ptr<Shape>> clips_of(const Guards* guards) {

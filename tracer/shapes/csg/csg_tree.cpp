@@ -267,6 +267,12 @@ std::unique_ptr<const CsgTree> CsgTree::of_guarded(const Shape& shape) {
 std::optional<unsigned> Guards::meet(const Shape& shape, const RayPacket& rays, RayKind kind, double t_min,
                                      const double* t_max, Hit* hits) const {
   if (std::popcount(rays.active) < CsgTree::kMin) return std::nullopt;
+  // A tree takes longer to make than some hundred rays to ask: not for each of thousands of shapes of few pixels.
+  constexpr std::uint8_t kFew = 32;
+  if (const std::uint8_t asked = asked_.load(std::memory_order_relaxed); asked < kFew) {
+    asked_.store(asked + 1, std::memory_order_relaxed);
+    return std::nullopt;
+  }
   const CsgTree* const tree = tree_.get([&] { return CsgTree::of_guarded(shape); });
   if (!tree) return std::nullopt;
   const RayPacket admitted{rays.rays, rays.first, bounds.empty() ? rays.active : admit(rays)};

@@ -99,7 +99,7 @@ Light::Axes Light::axes(const Vec3& l) const {
 
 Vec3 Light::offset(const Axes& axes, double u, double v) const {
   if (source_->circular) {
-    const double a = u / (size1() - 1) - 0.499, b = v / (size2() - 1) - 0.499;
+    const double a = u / (size1() - 1) - 0.5, b = v / (size2() - 1) - 0.5;
     return disc_offset(axes.a1, axes.a2, a, b);
   }
   Vec3 result(0, 0, 0);

@@ -36,7 +36,7 @@ void aim_at_grid(const LightGrid& grid, const Vec3& p, const GridPlaces& places,
   const int end = rounded(count);
   if (grid.circular) {
     for (int i = 0; i < end; ++i) {
-      const double a = places.u[i] / last1 - 0.499, b = places.v[i] / last2 - 0.499;
+      const double a = places.u[i] / last1 - 0.5, b = places.v[i] / last2 - 0.5;
       set_direction(position + disc_offset(a1, a2, a, b) - p, i, to_light, distance);
     }
   } else {

@@ -145,7 +145,7 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
   const auto surrounding = tracer.interiors(ray.interiors);
   SubsurfacePoint point;
   point.point = at.hit.point;
-  point.normal = layer.normal;
+  point.normal = at.geometric_normal;  // normal patterns do not turn it (spec 07 5.2)
   point.view = ray.ray.direction;
   point.interior = at.surface.interior;
   point.relative_ior = at.surface.interior->ior / (surrounding.empty() ? 1.0 : surrounding.back()->ior);

@@ -50,7 +50,7 @@ struct SubsurfaceSettings {
 };
 
 struct SubsurfacePoint {
-  Vec3 point, normal;  // unit, turned towards the viewer
+  Vec3 point, normal;  // geometric, unit, turned towards the viewer
   Vec3 view;           // unit ray direction, towards the surface
   const scene::Interior* interior = nullptr;
   double relative_ior = 1;  // interior over what surrounds it

@@ -182,6 +182,7 @@ void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, con
   c.pattern = pattern(d);
   c.table = &table;
   c.transparent |= table.transparent();
+  c.seems_transparent |= table.transparent();
   if (!table.same_everywhere()) return;
   c.source = CompiledPigment::Source::plain;
   c.color = table.colors[0];
@@ -197,6 +198,7 @@ void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, c
   for (const auto& entry : entries) {
     c.children.push_back(compile_child(entry.value));
     c.transparent |= c.children.back()->transparent;
+    c.seems_transparent |= c.children.back()->seems_transparent;
     all_plain &= c.children.back()->source == plain;
     c.total_weight += entry.position;
   }
@@ -217,7 +219,8 @@ void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, c
 
 bool Compiler::Impl::map_lets_light_through(const scene::Pigment& d) {
   if (d.pigment_map)
-    return std::ranges::any_of(*d.pigment_map, [this](const auto& entry) { return pigment(entry.value)->transparent; });
+    return std::ranges::any_of(*d.pigment_map,
+                               [this](const auto& entry) { return pigment(entry.value)->seems_transparent; });
   return d.color_map &&
          std::ranges::any_of(*d.color_map, [](const auto& entry) { return lets_light_through(entry.value); });
 }
@@ -227,13 +230,13 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
   CompiledPigment c;
   if (settings.use_quick_color && usable_quick_color(d)) {
     c.color = *d.quick_color;
-    c.transparent = lets_light_through(c.color);
+    c.transparent = c.seems_transparent = lets_light_through(c.color);
     return c;
   }
   if (d.pattern.kind == scene::PatternKind::none) return c;
   // A pattern keeps the solid colour that it has taken the place of, a solid colour and an image the map, and POV-Ray
   // heeds them still.
-  c.transparent = lets_light_through(d.color) || map_lets_light_through(d);
+  c.transparent = c.seems_transparent = lets_light_through(d.color) || map_lets_light_through(d);
   switch (d.pattern.kind) {
     case scene::PatternKind::plain:
       c.color = d.color;
@@ -243,6 +246,7 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
       c.pattern = pattern(d.pattern);
       const ImageLookup& lookup = c.pattern->as<ImageLookup>();
       c.transparent |= lookup.transparent || lookup.once;
+      c.seems_transparent |= lookup.transmits || lookup.once;
       return c;
     }
     default:
@@ -322,7 +326,8 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   for (auto layer = d.layers.rbegin(); layer != d.layers.rend(); ++layer) {
     const CompiledPigment* compiled = pigment(layer->pigment);
     c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, *layer->finish});
-    c.opaque |= !compiled->transparent;
+    const bool image = compiled->source == CompiledPigment::Source::image;
+    c.opaque |= !(image ? compiled->transparent : compiled->seems_transparent);
   }
   if (!d.patterned()) return c;
   if (!d.texture_map || d.texture_map->empty()) throw std::invalid_argument("a patterned texture without map");

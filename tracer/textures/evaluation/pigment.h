@@ -39,11 +39,13 @@ struct ColorTable {
 struct CompiledPigment {
   enum class Source : std::uint8_t { plain, color_map, pigment_map, average, uv_mapping, image };
   Source source = Source::plain;
-  bool transparent = false;                  // some entry filters or transmits, or may have no colour (spec 05 11.4)
-  Color color;                               // plain
-  const CompiledPattern* pattern = nullptr;  // all but plain
-  const ColorTable* table = nullptr;         // color_map
-  MapPositions positions;                    // pigment_map; the weights of average
+  bool transparent = false;  // some entry filters or transmits, or may have no colour (spec 05 11.4)
+  bool seems_transparent =
+      false;    // so POV-Ray finds in entries of maps, where of images only transmitting pixels count
+  Color color;  // plain
+  const CompiledPattern* pattern = nullptr;      // all but plain
+  const ColorTable* table = nullptr;             // color_map
+  MapPositions positions;                        // pigment_map; the weights of average
   std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
   float total_weight = 0;                        // average
 };

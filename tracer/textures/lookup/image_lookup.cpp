@@ -151,13 +151,13 @@ double raw_index(const ImageLookup& l, double u, double v) {
 }
 
 // POV-Ray looks at the pixels: neither an alpha channel nor an entry of a palette counts that none of them uses.
-bool some_pixel_lets_light_through(const Image& image) {
-  const auto lets_through = [](const Color& c) { return c.f != 0 || c.t != 0; };
-  if (!image.has_alpha && std::ranges::none_of(image.palette, lets_through)) return false;
+template <class Is>
+bool some_pixel(const Image& image, Is is) {
+  if (!image.has_alpha && std::ranges::none_of(image.palette, is)) return false;
   bool found = false;
   image.with_reader([&](const auto& read) {
     for (int y = 0; y < image.height && !found; ++y)
-      for (int x = 0; x < image.width && !found; ++x) found = lets_through(read(x, y));
+      for (int x = 0; x < image.width && !found; ++x) found = is(read(x, y));
     return Color();
   });
   return found;
@@ -180,7 +180,8 @@ ImageLookup compile_image(const scene::ImageParams& params) {
   l.height = static_cast<float>(image.height * params.repeat.y);
   l.offset_u = params.offset.x * image.width;
   l.offset_v = params.offset.y * image.height;
-  l.transparent = some_pixel_lets_light_through(image);
+  l.transmits = some_pixel(image, [](const Color& c) { return c.t != 0; });
+  l.transparent = l.transmits || some_pixel(image, [](const Color& c) { return c.f != 0; });
   if (!image.indexed()) {
     l.filter_all = params.filter_all;
     l.transmit_all = params.transmit_all;

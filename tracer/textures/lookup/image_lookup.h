@@ -15,6 +15,7 @@ struct ImageLookup {
   double offset_u = 0, offset_v = 0;       // in pixels
   float filter_all = 0, transmit_all = 0;  // of an image that is not indexed
   bool transparent = false;                // some pixel may let light through
+  bool transmits = false;                  // some pixel does, by itself or by its entry in the palette
 };
 
 ImageLookup compile_image(const scene::ImageParams& params);

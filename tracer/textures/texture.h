@@ -27,6 +27,7 @@ struct SurfacePoint {
   // trigonometry for them.
   Vec2 (*uv_function)(const void* context) = nullptr;
   const void* uv_context = nullptr;
+  bool is_hit = true;  // false: a camera's normal is evaluated, where slope and aoi are 0
 
   Vec2 uv() const { return uv_function ? uv_function(uv_context) : Vec2(0, 0); }
 };

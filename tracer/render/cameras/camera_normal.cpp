@@ -6,6 +6,7 @@ namespace verisim::render {
 Vec3 perturb_direction(const textures::CompiledNormal& normal, const Vec3& unit_direction, const Vec2& image) {
   const Vec3 p{image.x, image.y, 0};
   textures::SurfacePoint point{p, unit_direction, unit_direction};
+  point.is_hit = false;
   textures::perturb(normal, p, point);
   return normalize(point.normal);
 }

@@ -90,8 +90,9 @@ std::optional<Ray> MeshCamera::by_uv(const Vec2& uv) const {
   const scene::MeshTriangle& t = mesh.triangles[place->triangle];
   Vec3 origin(0, 0, 0);
   for (int i = 0; i < 3; ++i) origin += shapes::kept_vertex(mesh, t, i) * place->weights[i];
-  const bool smooth = camera_.smooth && shapes::is_smooth(mesh, t);
-  return finished(0, origin, smooth ? shapes::smooth_normal(mesh, t, origin) : shapes::kept_normal(mesh, t));
+  if (!camera_.smooth) return finished(0, origin, shapes::kept_normal(mesh, t));
+  // What has no normals of its own to interpolate looks along y (spec 02 1.7).
+  return finished(0, origin, shapes::is_smooth(mesh, t) ? shapes::smooth_normal(mesh, t, origin) : Vec3(0, 1, 0));
 }
 
 std::optional<MeshCamera::UvPlace> MeshCamera::uv_place(const Vec2& uv, double tolerance) const {

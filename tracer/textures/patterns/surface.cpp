@@ -17,7 +17,7 @@ double wrap(double v) {
 }  // namespace
 
 double formulas::slope(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
-  if (!surface) return 0;
+  if (!surface || !surface->is_hit) return 0;
   const SlopeData& s = c.as<SlopeData>();
   Vec3 direction = s.direction;
   if (s.point_at) direction = normalize(s.direction - surface->point);
@@ -31,7 +31,7 @@ double formulas::slope(const CompiledPattern& c, const Vec3& p, const SurfacePoi
 }
 
 double formulas::aoi(const CompiledPattern&, const Vec3&, const SurfacePoint* surface) {
-  if (!surface) return 0;
+  if (!surface || !surface->is_hit) return 0;
   return std::acos(std::clamp(dot(normalize(surface->normal), normalize(surface->ray_direction)), -1.0, 1.0)) /
          std::numbers::pi;
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Invents scenes, has POV-Ray and verisim render them, reduces what differs to a few lines and files it by likeness.
 
-usage: invent.py --out FOLDER [--verisim PROGRAM] [--seed N] [--count N] [--seconds S] [--mutate FOLDER | --people] [--no-reduce]
+usage: invent.py --out FOLDER [--verisim PROGRAM] [--seed N] [--count N] [--seconds S] [--mutate FOLDER | --people | --rare]
+                 [--no-reduce]
                  [--size 32x24]
 
 Scene K of a seed is always the same. What was done is in FOLDER/state.json, so that a run that was interrupted goes on
@@ -23,6 +24,7 @@ import grammar
 import mutate
 import people
 import programs
+import rare
 import reducer
 
 BATCH = 12  # scenes of one version in one animation
@@ -39,6 +41,7 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=3)
     parser.add_argument("--mutate", type=pathlib.Path, help="mutate the scenes of this folder instead of inventing")
     parser.add_argument("--people", action="store_true", help="scenes as people write them, with standard include files")
+    parser.add_argument("--rare", action="store_true", help="scenes with what people and the grammar seldom say")
     parser.add_argument("--no-reduce", action="store_true")
     parser.add_argument("--size", default="32x24", help="of the pictures")
     return parser.parse_args()
@@ -53,7 +56,7 @@ def batches(options, first):
         folder, (version, text) = (
             mutate.scene(seed, sources, options.seed * 1_000_003 + number // BATCH)
             if sources
-            else (None, (people if options.people else grammar).scene(seed))
+            else (None, (people if options.people else rare if options.rare else grammar).scene(seed))
         )
         group = waiting[version, folder]
         group.append((number, text))

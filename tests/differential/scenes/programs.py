@@ -75,7 +75,9 @@ def _messages(text):
             said.append(line)
     # The lines they name are those of the token that was read last, which is now and then the next statement's.
     texts = {
-        re.sub(r"\s+", " ", w).partition("Warning: ")[2] for w in warnings if w.startswith("File") and not OWN.search(w)
+        re.sub(r"\s+", " ", w.replace("Possible Parse Error: ", "Warning: ")).partition("Warning: ")[2]
+        for w in warnings
+        if w.startswith("File") and not OWN.search(w)
     }
     # POV-Ray's progress ends with a carriage return, and now and then stands in a line with what the scene says.
     words = re.sub(r"Parsing \d+K tokens", "", " ".join(said))

@@ -127,36 +127,26 @@ void parse_photon_settings(Parser& parser, Photons& photons) {
   close_block(parser);
 }
 
+void warn_of_photons(Parser& parser, scene::PhotonFlags::TurnedOff what) {
+  using TurnedOff = scene::PhotonFlags::TurnedOff;
+  if (what == TurnedOff::nothing) return;
+  parser.warning(Code::incompatible, std::string("Cannot use pass_through with refraction & target. Turning off ") +
+                                         (what == TurnedOff::refraction ? "refraction." : "pass_through."));
+}
+
 void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
   Block block(parser);
   photons.given = true;
-  const auto refract_off = [&] {
-    photons.refraction = Flag::off;
-    parser.warning(Code::incompatible, "Cannot use pass_through with refraction & target. Turning off refraction.");
-  };
   for (;;) {
     switch (word_at(parser)) {
       case Word::target: {
         parser.next();
-        const double density = parser.parse_optional_float(1);
-        photons.target = density > 0;
-        if (photons.target) photons.target_spacing = density;
-        if (photons.target && photons.pass_through) {
-          if (photons.refraction == Flag::on)
-            photons.pass_through = false;
-          else
-            refract_off();
-        }
+        warn_of_photons(parser, photons.set_target(parser.parse_optional_float(1)));
         continue;
       }
       case Word::refraction:
         parser.next();
-        photons.refraction = parser.parse_float() > 0 ? Flag::on : Flag::off;
-        if (photons.refraction == Flag::on && photons.pass_through && photons.target) {
-          photons.pass_through = false;
-          parser.warning(Code::incompatible,
-                         "Cannot use pass_through with refraction & target. Turning off pass_through.");
-        }
+        warn_of_photons(parser, photons.set_refraction(parser.parse_float() > 0));
         continue;
       case Word::reflection:
         parser.next();
@@ -168,8 +158,7 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
         continue;
       case Word::pass_through:
         parser.next();
-        photons.pass_through = parser.parse_flag();
-        if (photons.pass_through && photons.target) refract_off();
+        warn_of_photons(parser, photons.set_pass_through(parser.parse_flag()));
         continue;
       default:
         break;

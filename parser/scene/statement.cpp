@@ -105,7 +105,9 @@ class ObjectCheck {
 };
 
 void add_object(Parser& parser, const std::shared_ptr<scene::Object>& object) {
-  scene::finish_statement(*object, parser.default_texture());
+  std::vector<scene::PhotonFlags::TurnedOff> turned_off;
+  scene::finish_statement(*object, parser.default_texture(), &turned_off);
+  for (const auto what : turned_off) warn_of_photons(parser, what);
   ObjectCheck(parser).object(*object);
   parser.scene().objects.push_back(object);
 }

@@ -176,5 +176,30 @@ TEST(Warnings, EveryFinishItemOutsideOfAFinish) {
   EXPECT_NE(found[2].find("'ambient'"), std::string::npos);
 }
 
+// POV-Ray's, of flags in one statement and of such as reach the children of CSG (spec 07 3.2).
+TEST(Warnings, OfPhotonFlagsThatTurnEachOtherOff) {
+  const auto turned_off = [](const std::string& object) {
+    std::string all;
+    for (const std::string& text : of_statement(object))
+      if (const auto at = text.find("Turning off "); at != std::string::npos) all += text.substr(at + 12);
+    return all;
+  };
+  const auto box = [](const std::string& flags) { return "box { -1, 1 photons { " + flags + " } }"; };
+  const auto in_union = [&box](const std::string& inner, const std::string& outer) {
+    return "union { " + box(inner) + " sphere { 3, 1 } photons { " + outer + " } }";
+  };
+  EXPECT_EQ(turned_off(box("target refraction off pass_through")), "");
+  EXPECT_EQ(turned_off(box("target refraction on pass_through")), "refraction.");
+  EXPECT_EQ(turned_off(box("pass_through refraction off target")), "");
+  EXPECT_EQ(turned_off(box("pass_through refraction on target")), "pass_through.");
+  EXPECT_EQ(turned_off(box("pass_through target refraction on")), "refraction.pass_through.");
+  EXPECT_EQ(turned_off(in_union("target", "pass_through")), "refraction.");
+  EXPECT_EQ(turned_off(in_union("target refraction off", "pass_through")), "");
+  EXPECT_EQ(turned_off(in_union("refraction on", "pass_through")), "");
+  EXPECT_EQ(turned_off(in_union("pass_through refraction on", "target")), "pass_through.");
+  EXPECT_EQ(turned_off(in_union("pass_through", "refraction off target")), "refraction.");
+  EXPECT_EQ(turned_off(in_union("target", "refraction on pass_through")), "refraction.pass_through.");
+}
+
 }  // namespace
 }  // namespace verisim::parser

@@ -33,8 +33,8 @@ inline double spot_profile(double m, double raised, double cos_falloff, double c
 // `raised`: the distance, in fade_distances, to the power of fade_power.
 inline double faded(double raised) { return 2 / (1 + raised); }
 
-// The displacement of (a, b), from -1/2 to 1/2 along both axes of an area light, within a circular one. Both are moved by
-// 0.001, in this order of sums (spec 06 8.1), so that the middle is not 0/0.
+// The displacement of (a, b), from -1/2 to 1/2 along both axes of an area light, within a circular one. Both are moved
+// by 0.001, in this order of sums (spec 06 8.1), so that the middle is not 0/0.
 inline Vec3 disc_offset(const Vec3& a1, const Vec3& a2, double a, double b) {
   a += 0.001, b += 0.001;
   const double wide = std::fabs(a), high = std::fabs(b), s = (wide < high ? high : wide) / std::sqrt(a * a + b * b);

@@ -15,10 +15,11 @@ namespace verisim::scene {
 namespace {
 
 bool has_children(const Object& object) { return object.as<Csg>() || object.as<LightGroup>(); }
+// Such that was never inverted is passed over where properties are handed down, interiors too (spec 03 5.4).
 bool is_empty_csg(const Object& object) {
-  return object.as<Csg>() && std::ranges::all_of(declared_children(object), [](const ObjectPtr& part) {
-           return part->as<LightSource>() != nullptr;
-         });
+  return object.as<Csg>() && !object.was_inverted &&
+         std::ranges::all_of(declared_children(object),
+                             [](const ObjectPtr& part) { return part->as<LightSource>() != nullptr; });
 }
 
 // Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before
@@ -66,16 +67,18 @@ class ShadowlessUnion {
 
 bool is_shadowless_union(const Object& object) { return ShadowlessUnion().is(object); }
 
-void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent) {
+using TurnedOff = PhotonFlags::TurnedOff;
+
+void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent, std::vector<TurnedOff>* turned_off) {
   if (!parent.given) return;
   PhotonFlags& child = flags.edit();
-  if (parent.target) {
-    child.target = true;
-    child.target_spacing = parent.target_spacing;
-  }
+  const auto note = [&](TurnedOff what) {
+    if (turned_off && what != TurnedOff::nothing) turned_off->push_back(what);
+  };
+  if (parent.target) note(child.set_target(parent.target_spacing));
+  if (parent.pass_through) note(child.set_pass_through(true));
   if (parent.reflection != Flag::unset) child.reflection = parent.reflection;
-  if (parent.refraction != Flag::unset) child.refraction = parent.refraction;
-  if (parent.pass_through) child.pass_through = true;
+  if (parent.refraction != Flag::unset) note(child.set_refraction(parent.refraction == Flag::on));
   if (!parent.collect) child.collect = false;
   child.given = true;
 }
@@ -118,7 +121,8 @@ void forget_uv(Object& object) {
 
 class Walk {
  public:
-  explicit Walk(const TexturePtr& texture) : default_texture(texture) {}
+  explicit Walk(const TexturePtr& texture, std::vector<TurnedOff>* off = nullptr)
+      : default_texture(texture), turned_off(off) {}
 
   void object(Object& o, bool keeps_untextured) {
     itself(o, keeps_untextured);
@@ -153,12 +157,8 @@ class Walk {
       Object& child = writable(pointer);
       inherit(parent, child);
       const bool saved = interior_is_inherited;
-      if (!child.interior) {
-        child.interior = parent.interior;
-        interior_is_inherited = true;
-      } else {
-        interior_is_inherited = false;
-      }
+      interior_is_inherited = !child.interior;
+      if (interior_is_inherited && !is_empty_csg(child)) child.interior = parent.interior;
       object(child, keeps_untextured && !child.as<std::shared_ptr<const Text>>());
       interior_is_inherited = saved;
     }
@@ -167,6 +167,7 @@ class Walk {
 
  private:
   const TexturePtr& default_texture;
+  std::vector<TurnedOff>* turned_off;
   bool interior_is_inherited = false;
 
   void attached_objects(LightSource& light) {
@@ -195,7 +196,7 @@ class Walk {
     child.no_radiosity = child.no_radiosity || parent.no_radiosity;
     child.cutaway_textures = child.cutaway_textures || parent.cutaway_textures;
     if (child.radiosity_importance < 0) child.radiosity_importance = parent.radiosity_importance;
-    inherit_photons(child.photons, parent.photons);
+    inherit_photons(child.photons, parent.photons, turned_off);
   }
 };
 
@@ -234,14 +235,47 @@ void collect_light_groups(Object& object, bool inside_group) {
     if (!lights.empty()) add_lights(object, lights);
   }
   for (const ObjectPtr& child : children) collect_light_groups(const_cast<Object&>(*child), inside_group || group);
+  if (group && object.inverted) {  // its lights are known now: from here on it is what an inverted union is
+    Csg csg;
+    csg.kind = CsgKind::intersection;
+    csg.children = group->children;
+    object.shape = std::move(csg);
+  }
 }
 
 }  // namespace
 
+PhotonFlags::TurnedOff PhotonFlags::set_target(double density) {
+  target = density > 0;
+  if (!target) return TurnedOff::nothing;
+  target_spacing = density;
+  if (!pass_through || refraction == Flag::off) return TurnedOff::nothing;
+  if (refraction == Flag::on) {
+    pass_through = false;
+    return TurnedOff::pass_through;
+  }
+  refraction = Flag::off;
+  return TurnedOff::refraction;
+}
+
+PhotonFlags::TurnedOff PhotonFlags::set_refraction(bool on) {
+  refraction = on ? Flag::on : Flag::off;
+  if (!on || !pass_through || !target) return TurnedOff::nothing;
+  pass_through = false;
+  return TurnedOff::pass_through;
+}
+
+PhotonFlags::TurnedOff PhotonFlags::set_pass_through(bool on) {
+  pass_through = on;
+  if (!on || !target || refraction == Flag::off) return TurnedOff::nothing;
+  refraction = Flag::off;
+  return TurnedOff::refraction;
+}
+
 void finish_children(Object& parent, const TexturePtr& default_texture) { Walk(default_texture).children(parent); }
 
-void finish_statement(Object& object, const TexturePtr& default_texture) {
-  Walk walk(default_texture);
+void finish_statement(Object& object, const TexturePtr& default_texture, std::vector<TurnedOff>* turned_off) {
+  Walk walk(default_texture, turned_off);
   // What is below a copy may wait only here: deeper in the tree later siblings may share its interior, and the last one
   // written wins.
   if (auto* csg = object.as<Csg>(); csg && csg->postponable && (csg->children.shared() || csg->children.postponed())) {

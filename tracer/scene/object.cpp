@@ -407,7 +407,10 @@ void invert(Object& object) {
     return;
   }
   if (auto* light = object.as<LightSource>(); light && light->looks_like) invert(writable(light->looks_like));
-  if (object.as<LightSource>() || object.as<LightGroup>() || object.as<Polygon>() || is_patch(object)) return;
+  if (object.as<LightSource>() || object.as<Polygon>() || is_patch(object)) return;
+  if (object.as<LightGroup>()) {  // a union; finish_statement makes it an intersection of what is inverted below it
+    for (ObjectPtr& child : own_children(object)) invert(writable(child));
+  }
   if (auto* quadric = object.as<Quadric>()) {
     quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
     quadric->constant = -quadric->constant;

@@ -305,6 +305,13 @@ struct PhotonFlags {
   Flag reflection = Flag::unset, refraction = Flag::unset;
   bool pass_through = false, collect = true;
   bool given = false;
+
+  // What is a target, bends photons and lets them pass cannot be: what was said last wins (spec 07 3.2). Each says
+  // which of the others it has turned off.
+  enum class TurnedOff { nothing, refraction, pass_through };
+  TurnedOff set_target(double density);  // <= 0: none
+  TurnedOff set_refraction(bool on);
+  TurnedOff set_pass_through(bool on);
 };
 
 struct Object {
@@ -384,6 +391,8 @@ void complete(const Object& object);
 std::shared_ptr<Object> copy(const Object& object);
 // At the end of a top-level statement: pushes textures, interiors and flags to the children, gives every object its own
 // interior and the default texture where it has none, collects light groups (spec 03 5.3, 5.4; 06 6.1, 10.1).
-void finish_statement(Object& object, const TexturePtr& default_texture);
+// `turned_off`: gets what photon flags that were pushed down have turned off.
+void finish_statement(Object& object, const TexturePtr& default_texture,
+                      std::vector<PhotonFlags::TurnedOff>* turned_off = nullptr);
 
 }  // namespace verisim::scene

@@ -17,9 +17,10 @@ class LightHolder final : public Shape {
     for (const auto& child : children_) child->intersect_all(ray, kind, hits);
   }
   bool inside(const Vec3& p) const override {
+    const bool all = object->inverted;  // of an inverted group the children are inverted, too
     for (const auto& child : children_)
-      if (child->inside(p)) return true;
-    return false;
+      if (child->inside(p) != all) return !all;
+    return all;
   }
   Vec3 normal(const Hit&) const override { return Vec3(0); }  // hits belong to the children
   Box3 bounds() const override { return bounds_; }

@@ -407,7 +407,9 @@ void invert(Object& object) {
     return;
   }
   if (auto* light = object.as<LightSource>(); light && light->looks_like) invert(writable(light->looks_like));
-  if (object.as<LightSource>() || object.as<LightGroup>() || object.as<Polygon>() || is_patch(object)) return;
+  // A mesh turns over even where it has no inside (spec 04 1.6).
+  const bool stays = object.as<LightSource>() || object.as<LightGroup>() || object.as<Polygon>();
+  if (stays || (is_patch(object) && !object.as<Mesh>())) return;
   if (auto* quadric = object.as<Quadric>()) {
     quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
     quadric->constant = -quadric->constant;

@@ -136,12 +136,13 @@ class Walk {
       o.interior = std::make_shared<Interior>();
     }
     if (o.interior) {
-      o.interior->hollow = o.is_hollow();
+      // Lights and CSG of nothing else leave it as their neighbours made it.
+      if (!light && !is_empty_csg(o)) o.interior->hollow = o.is_hollow();
       if (!o.interior->ior_given) o.interior->dispersion = 1;
     }
     apply_legacy_finish(o);
     if (o.uv_transform) forget_uv(o);
-    if (light) attached_objects(*light);
+    if (light) attached_objects(o, *light);
   }
 
   void children(Object& parent) {
@@ -169,10 +170,13 @@ class Walk {
   const TexturePtr& default_texture;
   bool interior_is_inherited = false;
 
-  void attached_objects(LightSource& light) {
+  void attached_objects(const Object& around, LightSource& light) {
     for (ObjectPtr* attached : {&light.looks_like, &light.projected_through}) {
       if (!*attached) continue;
-      const bool saved = std::exchange(interior_is_inherited, false);
+      // What a light looks like shares the interior of those around the light, as a part of CSG does.
+      const bool shares = attached == &light.looks_like && !(*attached)->interior;
+      if (shares) writable(*attached).interior = around.interior;
+      const bool saved = std::exchange(interior_is_inherited, shares);
       object(writable(*attached), false);
       interior_is_inherited = saved;
     }

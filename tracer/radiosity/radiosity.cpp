@@ -21,8 +21,8 @@ class NormalFrame {
  public:
   explicit NormalFrame(const Vec3& n) : y_(n), pole_(n.y > 0.999 ? 1 : n.y < -0.999 ? -1 : 0) {
     if (pole_ != 0) return;
-    x_ = normalize(cross(n, std::fabs(n.z) > 0.9 ? Vec3(0, 1, 0) : Vec3(0, 0, 1)));
-    z_ = normalize(cross(x_, n));
+    x_ = cross(n, std::fabs(n.z) > 0.9 ? Vec3(0, 1, 0) : Vec3(0, 0, 1)), x_ = x_ / length(x_);
+    z_ = cross(x_, n), z_ = z_ / length(z_);
   }
   Vec3 operator()(const Vec3& d) const {
     if (pole_ != 0) return pole_ > 0 ? d : -d;
@@ -108,8 +108,9 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   const int size = std::max({count, description.count_directions, 1});
   pool_.reserve(size);
   for (int k = 1; k <= size; ++k) {
-    const double u = radical_inverse(k, 2), phi = 2.0 * kPi * radical_inverse(k, 3), r = std::sqrt(u);
-    pool_.emplace_back(r * std::cos(phi), std::sqrt(1.0 - u), r * std::sin(phi));
+    const double r = std::sqrt(radical_inverse(k, 2)), phi = 2.0 * kPi * radical_inverse(k, 3);
+    const double x = r * std::cos(phi), z = r * std::sin(phi);
+    pool_.emplace_back(x, std::sqrt(1.0 - x * x - z * z), z);
   }
   for (int d = 0; d < kMaxRadiosityDepth; ++d) {
     rays_[d] = std::min(

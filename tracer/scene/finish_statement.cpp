@@ -140,12 +140,13 @@ class Walk {
       o.interior = std::make_shared<Interior>();
     }
     if (o.interior) {
-      o.interior->hollow = o.is_hollow();
+      // Lights and CSG of nothing else leave it as their neighbours made it.
+      if (!light && !is_empty_csg(o)) o.interior->hollow = o.is_hollow();
       if (!o.interior->ior_given) o.interior->dispersion = 1;
     }
     apply_legacy_finish(o);
     if (o.uv_transform) forget_uv(o);
-    if (light) attached_objects(*light);
+    if (light) attached_objects(o, *light);
   }
 
   void children(Object& parent) {
@@ -170,10 +171,13 @@ class Walk {
   std::vector<TurnedOff>* turned_off;
   bool interior_is_inherited = false;
 
-  void attached_objects(LightSource& light) {
+  void attached_objects(const Object& around, LightSource& light) {
     for (ObjectPtr* attached : {&light.looks_like, &light.projected_through}) {
       if (!*attached) continue;
-      const bool saved = std::exchange(interior_is_inherited, false);
+      // What a light looks like shares the interior of those around the light, as a part of CSG does.
+      const bool shares = attached == &light.looks_like && !(*attached)->interior;
+      if (shares) writable(*attached).interior = around.interior;
+      const bool saved = std::exchange(interior_is_inherited, shares);
       object(writable(*attached), false);
       interior_is_inherited = saved;
     }
@@ -221,6 +225,21 @@ void hide_global_lights(Object& object, bool hide) {
   for (const ObjectPtr& child : own_children(object)) hide_global_lights(const_cast<Object&>(*child), hide);
 }
 
+// What an inverted light_group is once its lights are known, which stand in what they light: an intersection of its
+// other children, which are inverted themselves.
+Csg inverted_union(const std::vector<ObjectPtr>& children) {
+  Csg csg;
+  csg.kind = CsgKind::intersection;
+  for (const ObjectPtr& child : children) {
+    const auto* light = child->as<LightSource>();
+    if (!light)
+      csg.children.push_back(child);
+    else if (light->looks_like)
+      csg.children.push_back(light->looks_like);
+  }
+  return csg;
+}
+
 void collect_light_groups(Object& object, bool inside_group) {
   if (const auto* csg = object.as<Csg>(); csg && csg->postponable) return;  // no group below
   const std::vector<ObjectPtr>& children = own_children(object);
@@ -235,12 +254,7 @@ void collect_light_groups(Object& object, bool inside_group) {
     if (!lights.empty()) add_lights(object, lights);
   }
   for (const ObjectPtr& child : children) collect_light_groups(const_cast<Object&>(*child), inside_group || group);
-  if (group && object.inverted) {  // its lights are known now: from here on it is what an inverted union is
-    Csg csg;
-    csg.kind = CsgKind::intersection;
-    csg.children = group->children;
-    object.shape = std::move(csg);
-  }
+  if (group && object.inverted) object.shape = inverted_union(children);
 }
 
 }  // namespace

@@ -407,7 +407,9 @@ void invert(Object& object) {
     return;
   }
   if (auto* light = object.as<LightSource>(); light && light->looks_like) invert(writable(light->looks_like));
-  if (object.as<LightSource>() || object.as<Polygon>() || is_patch(object)) return;
+  // A mesh turns over even where it has no inside (spec 04 1.6).
+  const bool stays = object.as<LightSource>() || object.as<Polygon>();
+  if (stays || (is_patch(object) && !object.as<Mesh>())) return;
   if (object.as<LightGroup>()) {  // a union; finish_statement makes it an intersection of what is inverted below it
     for (ObjectPtr& child : own_children(object)) invert(writable(child));
   }

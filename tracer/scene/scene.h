@@ -82,6 +82,7 @@ struct Scene {
   Settings settings;
   Color background;
   bool background_given = false;
+  bool background_fades = true;  // written from 3.7 on: its transmit counts; before, it is clear and has its full color
   std::vector<Fog> fogs;
   std::vector<Rainbow> rainbows;
   std::optional<SkySphere> sky_sphere;

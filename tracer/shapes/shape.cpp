@@ -164,7 +164,9 @@ Box3 surface_bounds(const scene::Object& object, const Box3& local, const Guards
 
 SolidExtent surface_solid(const scene::Object& object, const LocalBox& local, const Guards* guards) {
   SolidExtent extent{everywhere(), false};
-  if (local.solid_inside) extent = {transformed(local.box, object.transform), object.inverted};
+  // A patch that was turned over has no inside either.
+  const bool outside = object.inverted && !scene::is_patch(object);
+  if (local.solid_inside) extent = {transformed(local.box, object.transform), outside};
   // Clips apply after inversion: outside any of them nothing is inside.
   if (guards && extent.outside) extent = {everywhere(), false};
   if (guards && !extent.outside) narrow(extent.box, *guards);

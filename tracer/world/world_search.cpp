@@ -45,8 +45,9 @@ class World::Search {
       return limit_;
     };
     if (!w_.in_order) return w_.hierarchy().search(ray_, limit_, ask);
+    // From afar, as media send rays, single precision has them meet boxes that they pass by, and searches for nothing.
     for (std::uint32_t i = 0; i < w_.entries.size(); ++i)
-      if (w_.entries[i].may_meet(ray_, t_min_, HUGE_VAL)) ask(i);
+      if (w_.entries[i].slab.used || w_.entries[i].may_meet(ray_, t_min_, HUGE_VAL)) ask(i);
   }
   void test_candidate(std::uint32_t i, const WorldEntry* entry) {
     const Candidate& c = w_.bounded[i];

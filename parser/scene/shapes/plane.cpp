@@ -7,9 +7,8 @@ ObjectRef parse_plane(Parser& parser) {
   return shape_block(parser, [&](scene::Object& object) {
     scene::Plane plane;
     plane.normal = parser.parse_vec3();
-    const double size = length(plane.normal);
-    if (!(size >= kEpsilon)) parser.error(Code::degenerate, "Degenerate plane normal.");
-    plane.normal = plane.normal / size;
+    if (!(length(plane.normal) >= kEpsilon)) parser.error(Code::degenerate, "Degenerate plane normal.");
+    plane.normal = normalize(plane.normal);
     parser.optional_comma();
     plane.distance = parser.parse_float();
     object.shape = plane;

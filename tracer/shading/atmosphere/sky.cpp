@@ -45,7 +45,10 @@ class LegacyBlend {
 Sky::Sky(const scene::Scene& scene, textures::Compiler& compiler, bool output_alpha)
     : version_(scene.version), output_alpha_(output_alpha), background_(scene.background) {
   if (!scene.background_given) background_ = output_alpha ? Color(0, 0, 0, 0, 1) : Color();
-  if (!output_alpha && version_ >= 370) background_ = Color(scene.background.rgb() * (1 - background_.t));
+  if (!scene.background_fades)
+    background_.f = 0, background_.t = 1;
+  else if (!output_alpha)
+    background_ = Color(scene.background.rgb() * (1 - background_.t));
   if (version_ < 370) background_.f = background_.t = 0;
   if (scene.sky_sphere) {
     for (auto p = scene.sky_sphere->pigments.rbegin(); p != scene.sky_sphere->pigments.rend(); ++p)

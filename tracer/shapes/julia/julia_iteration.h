@@ -64,11 +64,11 @@ inline Field field_of(const scene::JuliaFractal& f) {
   field.escape = f.hypercomplex ? 16 : radius * radius + 1e-7;
   const scene::JuliaFunction g = f.function;
   if (f.hypercomplex)
-    field.kind =
-        g == scene::JuliaFunction::sqr || g == scene::JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
+    field.kind = g == scene::JuliaFunction::sqr    ? Kind::hypercomplex_square
+                 : g == scene::JuliaFunction::cube ? Kind::hypercomplex_cube
+                                                   : Kind::other;
   else
     field.kind = g == scene::JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
-  field.doubled = g == scene::JuliaFunction::sqr;
   return field;
 }
 
@@ -85,6 +85,8 @@ class Iteration {
         return work.template operator()<Kind::quaternion_cube>();
       case Kind::hypercomplex_square:
         return work.template operator()<Kind::hypercomplex_square>();
+      case Kind::hypercomplex_cube:
+        return work.template operator()<Kind::hypercomplex_cube>();
       default:
         return work.template operator()<Kind::other>();
     }
@@ -108,7 +110,9 @@ class Iteration {
     else if constexpr (K == Kind::quaternion_cube)
       return quaternion_cube(h) + field_.parameter;
     else if constexpr (K == Kind::hypercomplex_square)
-      return product(h, h) + field_.parameter;
+      return hypercomplex_square(h) + field_.parameter;
+    else if constexpr (K == Kind::hypercomplex_cube)
+      return hypercomplex_cube(h) + field_.parameter;
     else
       return apply(f_.function, f_.exponent, h) + field_.parameter;
   }
@@ -156,12 +160,12 @@ class Iteration {
   }
   Vec3 hypercomplex_normal(const Orbit& orbit, int last) const {
     Number m = orbit[0], n = orbit[last];
-    if (field_.kind == Kind::hypercomplex_square) {
+    if (field_.kind != Kind::other) {
       for (int j = 1; j < last; ++j) m = product(orbit[j], m);
     } else {
       m = other_product(orbit, last);
     }
-    if (f_.function == JuliaFunction::sqr) {
+    if (field_.kind == Kind::hypercomplex_square) {
       const double scale = std::ldexp(1.0, std::max(last, 1));
       n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
     }
@@ -177,7 +181,8 @@ class Iteration {
   }
   template <Kind K>
   static double norm2(const Number& h) {
-    return K == Kind::other ? h.norm2_from_left() : h.norm2();
+    if constexpr (is_quaternion(K)) return h.norm2();
+    return K == Kind::hypercomplex_square ? h.norm2_by_pairs() : h.norm2_from_left();
   }
 
   // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.

@@ -116,7 +116,13 @@ struct Numbers {
   Packet x, y, z, w;
 };
 
-HWY_INLINE Packet norm2(const Numbers& h) { return h.x * h.x + (h.y * h.y + h.z * h.z + h.w * h.w); }
+// Number's.
+template <Kind K>
+HWY_INLINE Packet norm2(const Numbers& h) {
+  if constexpr (is_quaternion(K)) return h.x * h.x + (h.y * h.y + h.z * h.z + h.w * h.w);
+  if constexpr (K == Kind::hypercomplex_square) return (h.x * h.x + h.w * h.w) + (h.y * h.y + h.z * h.z);
+  return h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w;
+}
 HWY_INLINE Numbers product(const Numbers& a, const Numbers& b) {
   return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
           a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
@@ -137,7 +143,9 @@ HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
     const Packet q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q;
     r = {h.x * (x2 - 3 * q), h.y * t, h.z * t, h.w * t};
   } else {
-    r = product(h, h);
+    r = {K == Kind::hypercomplex_square ? (h.x * h.x + h.w * h.w) - (h.y * h.y + h.z * h.z)
+                                        : h.x * h.x - h.y * h.y - h.z * h.z + h.w * h.w,
+         2 * (h.x * h.y - h.z * h.w), 2 * (h.x * h.z - h.y * h.w), 2 * (h.x * h.w + h.y * h.z)};
   }
   return {r.x + c.x, r.y + c.y, r.z + c.z, r.w + c.w};
 }
@@ -175,7 +183,7 @@ HWY_INLINE unsigned halvings_of(const Field& f, const Vec3& from, const Vec3& d,
   Numbers h = start(f, first), g = start(f, last);
   Mask out = Mask::of_bits(0), out_last = out;
   for (int i = 1; i <= f.iterations; ++i) {
-    out = out | (norm2(h) > f.escape), out_last = out_last | (norm2(g) > f.escape);
+    out = out | (norm2<K>(h) > f.escape), out_last = out_last | (norm2<K>(g) > f.escape);
     if (bits(out & out_last) == kAll) return 0;
     h = next<K>(h, f.parameter), g = next<K>(g, f.parameter);
   }
@@ -212,7 +220,7 @@ struct Marched {
 template <Kind K>
 HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& direction, const Mask& active_mask,
                             const Mask& estimated) {
-  constexpr bool kQuaternion = K != Kind::hypercomplex_square;
+  constexpr bool kQuaternion = is_quaternion(K);
   Numbers h = start(f, place);
   Mask out = ~active_mask;
   // Of each lane when it escapes: |h|^2 and, for quaternions, |h(i-1) ... h1 h0|^2 (the product of lengths has other
@@ -222,7 +230,7 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
   double running_power = 1, scale = 2;
   Numbers m = h;
   for (int i = 1; i <= f.iterations; ++i) {
-    const Packet n2 = norm2(h);
+    const Packet n2 = norm2<K>(h);
     const Mask now = (n2 > f.escape) & ~out;
     if constexpr (kQuaternion) {
       running_power = running_power * (K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2);
@@ -236,7 +244,7 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
     } else {
       if (bits(now) != 0) {
         Numbers n = h;
-        if (f.doubled) n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
+        if constexpr (K == Kind::hypercomplex_square) n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
         const Packet vx = m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w,
                      vy = -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
                      vz = -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w;
@@ -332,8 +340,10 @@ HWY_INLINE unsigned with_kind(const Field& f, Work&& work) {
       return work.template operator()<Kind::quaternion_square>();
     case Kind::quaternion_cube:
       return work.template operator()<Kind::quaternion_cube>();
-    default:
+    case Kind::hypercomplex_square:
       return work.template operator()<Kind::hypercomplex_square>();
+    default:
+      return work.template operator()<Kind::hypercomplex_cube>();
   }
 }
 

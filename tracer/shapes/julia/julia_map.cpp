@@ -50,7 +50,7 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
     return (f.kind == Kind::quaternion_cube ? (3 * size * (size + by) + by * by) * by : (2 * size + by) * by) *
            (1 + kMargin);
   };
-  if (f.kind != Kind::hypercomplex_square) {
+  if (is_quaternion(f.kind)) {
     for (int i = 1; i <= f.iterations; ++i) {
       const double size = norm(h), least = size - stray;
       if (least > 0 && least * least > escape) return false;
@@ -68,7 +68,7 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
     const double least_a = std::max(0.0, a - stray_a), least_b = std::max(0.0, b - stray_b);
     if ((least_a * least_a + least_b * least_b) / 2 > escape) return false;
     if (stray_a > 2 * a + 4 && stray_b > 2 * b + 4) return true;
-    h = product(h, h) + f.parameter;
+    h = hypercomplex_square(h) + f.parameter;
     stray_a = image(a, stray_a), stray_b = image(b, stray_b);
   }
   return true;

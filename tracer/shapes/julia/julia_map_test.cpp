@@ -12,12 +12,13 @@ namespace {
 
 std::vector<Field> fields() {
   std::vector<Field> all;
-  for (const Kind kind : {Kind::quaternion_square, Kind::quaternion_cube, Kind::hypercomplex_square}) {
+  for (const Kind kind :
+       {Kind::quaternion_square, Kind::quaternion_cube, Kind::hypercomplex_square, Kind::hypercomplex_cube}) {
     Field f;
     f.kind = kind;
     f.parameter = {-0.162, 0.163, -0.56, 0.1};
     f.slice = Vec3(0.1, 0.2, -0.1), f.slice_w = 0.97, f.slice_distance = 0.05;
-    f.escape = kind == Kind::hypercomplex_square ? 16 : 2.6;
+    f.escape = is_quaternion(kind) ? 2.6 : 16;
     f.iterations = 7;
     all.push_back(f);
   }
@@ -29,9 +30,10 @@ bool survives(const Field& f, const Vec3& p) {
   Number h{p.x, p.y, p.z, (f.slice_distance - f.slice.x * p.x - f.slice.y * p.y - f.slice.z * p.z) / f.slice_w};
   for (int i = 1; i <= f.iterations; ++i) {
     if (h.norm2() > f.escape) return false;
-    h = (f.kind == Kind::quaternion_square ? quaternion_square(h)
-         : f.kind == Kind::quaternion_cube ? quaternion_cube(h)
-                                           : product(h, h)) +
+    h = (f.kind == Kind::quaternion_square     ? quaternion_square(h)
+         : f.kind == Kind::quaternion_cube     ? quaternion_cube(h)
+         : f.kind == Kind::hypercomplex_square ? hypercomplex_square(h)
+                                               : hypercomplex_cube(h)) +
         f.parameter;
   }
   return true;

@@ -101,7 +101,7 @@ class March {
     estimate = field_.precision;
     if (escaped == 0) return true;
     const Number& h = orbit[escaped - 1];
-    const double q = field_.kind == Kind::other ? h.norm2_from_left() : h.norm2();
+    const double q = field_.kind == Kind::hypercomplex_square ? h.norm2_by_pairs() : h.norm2_from_left();
     const double slope = dot(iteration_.hypercomplex_normal(orbit, escaped - 1), direction);
     if (slope < -1e-8) {
       const double decrease = -2 * slope;

@@ -13,7 +13,8 @@ namespace verisim::shapes::julia {
 inline constexpr int kLanes = 8;
 inline constexpr double kFine = 1e-7;  // tolerance of depths
 
-enum class Kind : unsigned char { quaternion_square, quaternion_cube, hypercomplex_square, other };
+enum class Kind : unsigned char { quaternion_square, quaternion_cube, hypercomplex_square, hypercomplex_cube, other };
+constexpr bool is_quaternion(Kind kind) { return kind == Kind::quaternion_square || kind == Kind::quaternion_cube; }
 
 // What the iteration needs to know of a fractal.
 struct Field {
@@ -24,7 +25,6 @@ struct Field {
   double escape = 4;        // |h|^2 beyond which a point is outside
   double precision = 0.05;  // the smallest step
   int iterations = 20;
-  bool doubled = false;  // hypercomplex: the estimates of `sqr` have a factor 2^M
 };
 
 // A ray a lane, in the fractal's space, directions of unit length.

@@ -2,7 +2,8 @@
 //
 // A mesh without inside_vector does not know all its hits: POV-Ray ends the search of the mesh's hierarchy at the first
 // box that is entered beyond the hit that was found last (spec 08 C). Who asks for all hits, or would not take the
-// nearest one, therefore gets what that search finds.
+// nearest one, therefore gets what that search finds; so does a ray that meets two triangles in one place, of which the
+// order of the boxes tells the one that is seen, with an inside_vector, too.
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/mesh/mesh_packet.h"
 #include "tracer/shapes/tree_primitive.h"
@@ -18,6 +19,7 @@ class Mesh final : public TreePrimitive<Mesh> {
         geometry_(MeshGeometry::of(mesh.data)) {
     solid_ = has_inside(*mesh.data);
     partial_ = !solid_ && description.hierarchy;
+    in_order_ = !description.hierarchy;
     if (solid_) {
       const Vec3 v = *mesh.data->inside_vector;
       inside_direction_ = normalize(has_matrix() ? matrix().inverse_direction(v) : v);
@@ -30,12 +32,14 @@ class Mesh final : public TreePrimitive<Mesh> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
-    if (!partial_) return every_intersection(ray, sink, entry);
     if constexpr (Sink::kNearest) {
-      every_intersection(ray, sink, entry);
+      const bool two = every_intersection(ray, sink, entry) && !in_order_;
       const double nearest = sink.clipped_from_outside() ? sink.upper() : sink.lower();
-      if (!sink.found() || !meets_before(nearest, ray, entry)) return;
+      if (!sink.found() || !(two || (partial_ && meets_before(nearest, ray, entry)))) return;
       sink.restart();
+    } else if (!partial_) {
+      every_intersection(ray, sink, entry);
+      return;
     }
     intersections_of_search(ray, sink);
   }
@@ -45,7 +49,7 @@ class Mesh final : public TreePrimitive<Mesh> {
     if (guards() || tree().empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     MeshPacket packet;
     const unsigned found = meet_packet(rays, entry, t_min, t_max, false, packet);
-    const unsigned searched = partial_ ? found & packet.passed_over : 0;
+    const unsigned searched = found & ((partial_ ? packet.passed_over : 0) | (in_order_ ? 0 : packet.met_two));
     each_lane(found & ~searched, [&](int k) {
       hits[k] = {packet.t[k], rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]), 0, 0};
     });
@@ -102,13 +106,15 @@ class Mesh final : public TreePrimitive<Mesh> {
     each_lane(rays.active, [&](int k) { found |= packet.triangle[k] >= 0 ? 1u << k : 0; });
     return found;
   }
+  // Whether the nearest hit is one of two in the same place.
   template <class Sink>
-  void every_intersection(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
+  bool every_intersection(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
     const LocalRay r = local(ray);
     const double lower = std::max(MeshGeometry::kNearest, sink.lower() * r.scale * (1 - 1e-12));
     const auto limit = [&] { return std::min(MeshGeometry::kFarthest, sink.upper() * r.scale * (1 + 1e-12)); };
     double nearest = -1;
-    std::uint32_t nearest_id = 0;
+    std::uint32_t nearest_triangle = 0;
+    bool met_two = false;
     geometry_->tree().traverse_leaves(
         {r.origin, r.direction}, lower, limit(),
         [&](std::uint32_t first, std::uint32_t count, double) {
@@ -116,16 +122,24 @@ class Mesh final : public TreePrimitive<Mesh> {
             const double t = geometry_->hit(i, r.origin, r.direction);
             if (t < 0) continue;
             const double world_t = t / r.scale;
+            const bool second =
+                MeshGeometry::in_one_place(world_t, nearest) && !geometry_->goes_on(nearest_triangle, i);
+            met_two |= second;
             // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever
             // the order of the walk.
-            if (Sink::kNearest && world_t == nearest && geometry_->triangle(i).id() < nearest_id) continue;
+            if (Sink::kNearest && world_t == nearest &&
+                geometry_->triangle(i).id() < geometry_->triangle(nearest_triangle).id())
+              continue;
             const bool accepted = sink.add(
                 world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
-            if (Sink::kNearest && accepted) nearest = world_t, nearest_id = geometry_->triangle(i).id();
+            if (!Sink::kNearest || !accepted) continue;
+            nearest = world_t, nearest_triangle = i;
+            met_two = second;
           }
           return limit();
         },
         entry);
+    return met_two;
   }
 
   // Whether the mesh has a hit nearer than the one that the caller took: one that is too near for it, or outside the
@@ -149,7 +163,7 @@ class Mesh final : public TreePrimitive<Mesh> {
       if (guards() && !guards()->contain(p)) return last;
       sink.add(
           world_t, [&] { return p; }, static_cast<std::int32_t>(i));
-      return last = t;
+      return partial_ ? last = t : last;
     });
   }
 
@@ -160,7 +174,7 @@ class Mesh final : public TreePrimitive<Mesh> {
   }
 
   std::shared_ptr<const MeshGeometry> geometry_;
-  bool solid_ = false, partial_ = false, interior_texture_ = false;
+  bool solid_ = false, partial_ = false, in_order_ = false, interior_texture_ = false;
   Vec3 inside_direction_{0, 0, 0};
   std::vector<scene::TexturePtr> textures_;
 };

@@ -187,6 +187,17 @@ Vec3 MeshGeometry::vertex(std::uint32_t i, int corner) const { return kept_verte
 
 bool MeshGeometry::smooth(std::uint32_t i) const { return is_smooth(*data_, source(i)); }
 
+bool MeshGeometry::goes_on(std::uint32_t i, std::uint32_t j) const {
+  const scene::MeshTriangle &a = source(i), &b = source(j);
+  if (!is_smooth(*data_, a) || !is_smooth(*data_, b) || a.texture[0] >= 0 || b.texture[0] >= 0) return false;
+  int common = 0;
+  for (std::size_t m = 0; m < 3; ++m)
+    for (std::size_t n = 0; n < 3; ++n)
+      common += data_->vertices[a.vertex[m]] == data_->vertices[b.vertex[n]] &&
+                data_->normals[a.normal[m]] == data_->normals[b.normal[n]];
+  return common >= 2;
+}
+
 Vec3 MeshGeometry::smooth_normal(std::uint32_t i, const Vec3& p) const {
   return interpolated_normal(*data_, source(i), corners(i), p);
 }

@@ -32,6 +32,12 @@ class MeshGeometry {
     double t;
     return TriangleHit::meets(tri, tri.axes(), ray, kNearest, kFarthest, t) ? t : -1;
   }
+  // Whether two hits are so near to each other that the order of boxes tells which of them is seen.
+  static bool in_one_place(double t, double other) { return std::fabs(t - other) <= 1e-12 * t; }
+
+  // Whether triangle `j` continues `i` beyond an edge so smoothly that it does not matter which of them is seen there.
+  bool goes_on(std::uint32_t i, std::uint32_t j) const;
+
   static constexpr double kNearest = kTriangleNearest, kFarthest = kTriangleFarthest;  // in local units
 
   const Triangle& triangle(std::uint32_t i) const { return triangles_[i]; }

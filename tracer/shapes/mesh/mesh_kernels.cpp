@@ -47,7 +47,7 @@ class Search {
       near_enough(k);
     }
     open_ = entering(active, there_);
-    p.passed_over = 0;
+    p.passed_over = p.met_two = 0;
   }
 
   HWY_ATTR void run(const accel::EntryPoints* entry) {
@@ -169,6 +169,12 @@ class Search {
     const double t = local / p_.rays.scale[k];
     if (t < t_min_) p_.passed_over |= 1u << k;
     const bool before = p_.triangle[k] >= 0;
+    if (before && t >= t_min_) {
+      if (MeshGeometry::in_one_place(t, p_.t[k]))
+        p_.met_two |= 1u << k;
+      else if (t < p_.t[k])
+        p_.met_two &= ~(1u << k);
+    }
     if (!(t >= t_min_) || !(before ? t <= p_.t[k] : t < p_.t[k])) return;
     if (before && t == p_.t[k] &&
         mesh_.triangle(i).id() < mesh_.triangle(static_cast<std::uint32_t>(p_.triangle[k])).id())

@@ -12,11 +12,12 @@ struct alignas(64) MeshPacket {
   double t[RayPacket::kCount];               // in the world
   std::int64_t triangle[RayPacket::kCount];  // of the tree's order; -1: none
   unsigned passed_over;                      // lanes that meet a triangle before t_min
+  unsigned met_two;                          // lanes whose nearest is one of two in the same place
 };
 
 struct MeshKernels {
   // The nearest triangle (`any`: one) at t_min <= t < t_max[k], of equal ones the last written, for the lanes of
-  // `active`; `entry` of a shaft that holds them, or null. With `any`, `passed_over` may lack lanes that are hit.
+  // `active`; `entry` of a shaft that holds them, or null. With `any`, the sets of lanes may lack some that are hit.
   void (*meet)(const MeshGeometry& mesh, const accel::EntryPoints* entry, unsigned active, double t_min,
                const double* t_max, bool any, MeshPacket& packet);
   // A triangle of its own, in the world.

@@ -124,7 +124,8 @@ class Lathe final : public SearchPrimitive<Lathe> {
     if (rho < range_.r_low || rho > range_.r_high) return false;
     int count = 0;
     for (const Segment& s : segments_) {
-      if (p.y < s.y_low || p.y > s.y_high) continue;
+      // By rounding a height beside the end of a segment may be taken for it, and be found in both that meet there.
+      if (p.y < s.y_low - slack() || p.y > s.y_high + slack()) continue;
       count += s.curve.count_beyond(height, p.y, rho, sturm_);
     }
     return count & 1;

@@ -206,7 +206,8 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     unsigned met = 0;
     each_lane(admitted, [&](int k) {
       first[k] = visits.size();
-      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, true}); });
+      const LocalRay l = local(rays.at(k));
+      each_segment_met(l, [&](std::uint32_t i) { visits.add({i, k, rounding_decides(segments_[i], l), true}); });
       end[k] = visits.size();
       met |= end[k] > first[k] ? 1u << k : 0;
     });
@@ -303,9 +304,18 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     if (all.size() > 1) add(all[all.size() - 1]);
   }
 
+  // POV-Ray's polynomials have lost what tells them from 0 where a ray comes from afar, and some of the roots.
+  static bool rounding_decides(const Segment& s, const LocalRay& l) {
+    constexpr double kAfar = 1e3;
+    if (s.degree == 1) return true;
+    const Vec3 to = center_of(s.c[0]) - l.origin;
+    double size = s.c[0].w * s.c[0].w;
+    for (std::size_t i = 1; i < 4; ++i) size += dot(center_of(s.c[i]), center_of(s.c[i]));
+    return dot(to, to) > kAfar * kAfar * size;
+  }
   // Whether the side is touched, by a polynomial that is precise: POV-Ray's decides where.
   static bool may_touch(const Segment& s, const LocalRay& l) {
-    if (s.degree == 1) return true;
+    if (rounding_decides(s, l)) return true;
     const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
                  direction[3] = {l.direction.x, l.direction.y, l.direction.z};
     SweepSide<double> side;
@@ -361,7 +371,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     if (!(half2 > kEpsilon)) return false;
     const double half = std::sqrt(half2);
     near = closest - half, far = closest + half;
-    return far > 0 && std::fabs(near) < kFarthest && far < kFarthest;
+    return far > 0;
   }
 
   // Normals point inwards where the radius is negative.
@@ -374,7 +384,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
                            Scratch<Intersection>& all) {
     double near, far;
-    if (!sphere_chord(sphere, l, near, far)) return;
+    if (!sphere_chord(sphere, l, near, far) || !(near < kFarthest)) return;
     add_chord(near, far, u, index, joint, sphere.w, all);
   }
 

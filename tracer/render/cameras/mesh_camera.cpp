@@ -91,8 +91,7 @@ std::optional<Ray> MeshCamera::by_uv(const Vec2& uv) const {
   Vec3 origin(0, 0, 0);
   for (int i = 0; i < 3; ++i) origin += shapes::kept_vertex(mesh, t, i) * place->weights[i];
   if (!camera_.smooth) return finished(0, origin, shapes::kept_normal(mesh, t));
-  // What has no normals of its own to interpolate looks along y (spec 02 1.7).
-  return finished(0, origin, shapes::is_smooth(mesh, t) ? shapes::smooth_normal(mesh, t, origin) : Vec3(0, 1, 0));
+  return finished(0, origin, shapes::is_smooth(mesh, t) ? shapes::smooth_normal(mesh, t, origin) : Vec3(0));
 }
 
 std::optional<MeshCamera::UvPlace> MeshCamera::uv_place(const Vec2& uv, double tolerance) const {
@@ -109,8 +108,20 @@ std::optional<MeshCamera::UvPlace> MeshCamera::uv_place(const Vec2& uv, double t
   return first;
 }
 
+std::optional<Ray> MeshCamera::first_ray() const {
+  constexpr int kBlock = 32;  // POV-Ray's
+  for (int top = 0; top < height_; top += kBlock)
+    for (int left = 0; left < width_; left += kBlock)
+      for (int y = top; y < std::min(top + kBlock, height_); ++y)
+        for (int x = left; x < std::min(left + kBlock, width_); ++x)
+          if (const std::optional<Ray> found = ray(x, y, 0)) return found;
+  return std::nullopt;
+}
+
 Ray MeshCamera::finished(std::size_t mesh, const Vec3& origin, const Vec3& normal) const {
-  Ray ray{origin + normal * camera_.location.z, camera_.direction.z < -kEpsilon ? -normal : normal};
+  // What has no normals of its own to interpolate looks along y (spec 02 1.7).
+  const Vec3 along = normal == Vec3(0) ? Vec3(0, 1, 0) : normal;
+  Ray ray{origin + normal * camera_.location.z, camera_.direction.z < -kEpsilon ? -along : along};
   if (mesh < camera_.mesh_transforms.size()) {
     const Transform& t = camera_.mesh_transforms[mesh];
     ray = {t.point(ray.origin), t.normal(ray.direction)};

@@ -15,6 +15,8 @@ class MeshCamera {
   int rays_per_pixel() const { return camera_.rays_per_pixel; }
   // Ray number k of the sample at (x, y), direction unit; empty: no face.
   std::optional<Ray> ray(double x, double y, int k) const;
+  // That of the first pixel, in the order of blocks, that has one.
+  std::optional<Ray> first_ray() const;
 
  private:
   struct Face {

@@ -29,7 +29,12 @@ CameraModel::CameraModel(const scene::Camera& description, int width, int height
 
 // Whether each camera ray looks up what it starts in. Where a camera of that type has a single origin without a lens,
 // and is no perspective one, the first ray does it for all (spec 02 1.8); only in POV-Ray's order there is a first one.
+// Of a mesh_camera the first ray always does.
 static bool starts_differ(const CameraModel& camera, shading::Tracer& tracer) {
+  if (camera.mesh) {
+    if (const std::optional<Ray> first = camera.mesh->first_ray()) tracer.camera_state(*first, false);
+    return false;
+  }
   if (!camera.blur) return camera.origin_varies;
   const bool first_decides =
       tracer.random().replay() && camera.camera.kind != scene::CameraKind::perspective && !camera.rays.origin_varies();

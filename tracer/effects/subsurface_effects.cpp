@@ -75,7 +75,9 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
   std::size_t lights() override { return lights_.size(); }
 
   bool illumination(std::size_t light, const Vec3& p, Rgb& color, Vec3& to_light) override {
-    color = tracer_.light_at(*lights_[light], p, ray_, false, to_light);
+    shading::RayState state = ray_;
+    state.interiors = {};  // light comes as from outside of everything
+    color = tracer_.light_at(*lights_[light], p, state, false, to_light);
     return color.max_abs() > 0.0f;
   }
 
@@ -142,13 +144,12 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
     settings.single_samples = 0;
     if (!scene_.settings.subsurface_radiosity) settings.diffuse_samples = 0;
   }
-  const auto surrounding = tracer.interiors(ray.interiors);
   SubsurfacePoint point;
   point.point = at.hit.point;
   point.normal = at.geometric_normal;  // normal patterns do not turn it (spec 07 5.2)
   point.view = ray.ray.direction;
   point.interior = at.surface.interior;
-  point.relative_ior = at.surface.interior->ior / (surrounding.empty() ? 1.0 : surrounding.back()->ior);
+  point.relative_ior = tracer.fresnel_ratio(ray, *at.surface.interior);
   point.reflectance = layer.pigment.rgb() * finish.raw_diffuse;
   point.translucency = finish.translucency;
   SubsurfaceSurroundings environment(*this, tracer, ray, at, state);

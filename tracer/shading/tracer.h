@@ -150,6 +150,8 @@ class Tracer {
   double bailout(const RayState& ray) const {
     return ray.gather ? scene_.scene.settings.radiosity.adc_bailout : scene_.adc_bailout;
   }
+  // The relative ior by which fresnel mirrors and subsurface light go at a surface of x (spec 06 5.2).
+  double fresnel_ratio(const RayState& ray, const scene::Interior& x) const;
   std::span<const scene::Interior* const> interiors(const InteriorRange& range) const {
     return {interiors_.data() + range.begin, range.count};
   }
@@ -255,7 +257,6 @@ class Tracer {
   Rgb mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer);
   static Rgb mirror_image(const ShadedLayer& layer, Rgb seen);
   Rgb fade_factor(const InteriorRange& list, const scene::Interior& interior, double distance) const;
-  double fresnel_ratio(const RayState& ray, const scene::Interior& x) const;
 
   // ---- shadow.cpp
   struct ShadowQuery {

@@ -99,7 +99,7 @@ class Estimator {
         settings_(settings),
         environment_(environment),
         medium_(medium_of(point)),
-        a_(boundary_term(point.interior->ior)),
+        a_(boundary_term(point.relative_ior)),
         eta_(point.relative_ior) {
     cos_out_ = std::fabs(dot(point.view, point.normal));
     out_transmittance_ = fresnel_transmittance(cos_out_, eta_);
@@ -387,7 +387,7 @@ class Estimator {
 
 double fresnel_transmittance(double cosine, double eta) {
   const double q = eta * eta + cosine * cosine - 1.0;
-  if (q <= 0.0) return 0.0;
+  if (q <= 0.0) return 1.0;  // (sic) where all light is reflected
   const double g = std::sqrt(q), a = (g - cosine) / (g + cosine),
                b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
   return 1.0 - std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);

@@ -53,7 +53,7 @@ struct SubsurfacePoint {
   Vec3 point, normal;  // geometric, unit, turned towards the viewer
   Vec3 view;           // unit ray direction, towards the surface
   const scene::Interior* interior = nullptr;
-  double relative_ior = 1;  // interior over what surrounds it
+  double relative_ior = 1;  // of what lies behind the surface to what the ray comes from
   Rgb reflectance;          // pigment * diffuse
   Rgb translucency;         // mm
 };
@@ -64,7 +64,8 @@ Rgb subsurface(const SubsurfacePoint& point, const SubsurfaceSettings& settings,
 // Reduced albedo whose diffuse reflectance is `reflectance`, for a medium of index `ior`; POV-Ray's table of 101 steps,
 // interpolated.
 double reduced_albedo(double reflectance, double ior);
-// Unpolarised Fresnel transmittance into a medium of relative index eta.
+// Unpolarised Fresnel transmittance into a medium of relative index eta; 1 where all light is reflected, as POV-Ray has
+// it.
 double fresnel_transmittance(double cosine, double eta);
 
 }  // namespace verisim::global

@@ -84,7 +84,7 @@ TEST(Subsurface, ReducedAlbedoEqualsTheSpecification) {
 TEST(Subsurface, FresnelTransmittanceAtNormalIncidence) {
   EXPECT_NEAR(fresnel_transmittance(1.0, 1.5), 0.96, 1e-12);
   EXPECT_NEAR(fresnel_transmittance(1.0, 1.0), 1.0, 1e-12);
-  EXPECT_EQ(fresnel_transmittance(0.1, 0.5), 0.0);  // total reflection
+  EXPECT_EQ(fresnel_transmittance(0.1, 0.5), 1.0);  // total reflection, as POV-Ray has it
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class Shining {
   std::vector<Vec3> positions{};  // of the lights
 
   void object(const scene::ObjectPtr& pointer) {
-    if (!pointer || !seen_.insert(pointer.get()).second) return;
+    if (!pointer || seen_before(pointer)) return;
     const scene::Object& o = *pointer;
     if (const auto* light = o.as<scene::LightSource>()) {
       lights = true;
@@ -30,8 +30,14 @@ class Shining {
   }
 
  private:
+  // What only one thing refers to need not be remembered.
+  template <class T>
+  bool seen_before(const std::shared_ptr<T>& pointer) {
+    return pointer.use_count() > 1 && !seen_.insert(pointer.get()).second;
+  }
+
   void texture(const scene::TexturePtr& pointer) {
-    if (!pointer || !seen_.insert(pointer.get()).second) return;
+    if (!pointer || seen_before(pointer)) return;
     for (const scene::TextureLayer& layer : pointer->layers) {
       const scene::Finish& finish = *layer.finish;
       const auto largest = [](const Rgb& c) { return std::max({c.r, c.g, c.b}); };

@@ -1,1 +1,0 @@
-#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location 0.5*y direction -y right .01*x up .01*z } light_source { 10*y rgb 1 projected_through { box { <-1,12,-1>,<1,17,1> } } media_attenuation on area_light 0.001*x,0.001*z,3,3 } fog { distance 10 rgb 0 } plane { y,0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }

@@ -24,11 +24,11 @@
 #include "compare/causes/diagnose.h"
 #include "compare/photographs/fit.h"
 #include "compare/layers/layers.h"
-#include "compare/metrics/limits.h"
+#include "compare/verdict/limits.h"
 #include "compare/metrics/metrics.h"
-#include "compare/metrics/truth.h"
-#include "compare/metrics/verdict.h"
-#include "compare/metrics/welch.h"
+#include "compare/verdict/truth.h"
+#include "compare/verdict/verdict.h"
+#include "compare/verdict/welch.h"
 
 namespace verisim::compare {
 

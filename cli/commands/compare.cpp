@@ -18,7 +18,7 @@
 #include "cli/commands/own_program.h"
 #include "cli/settings/reading/scene_words.h"
 #include "compare/oracle/content_hash.h"
-#include "compare/regression/command_renderer.h"
+#include "compare/regression/programs/command_renderer.h"
 
 namespace fs = std::filesystem;
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/metrics/limits.h"
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/limits.h"
+#include "compare/verdict/verdict.h"
 
 namespace verisim::compare {
 

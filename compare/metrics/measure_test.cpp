@@ -7,7 +7,7 @@
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/ssim.h"
 #include "compare/metrics/test_pictures.h"
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/verdict.h"
 #include "compare/oracle/working_copy.h"
 
 namespace verisim::compare {

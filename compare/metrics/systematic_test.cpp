@@ -6,7 +6,7 @@
 #include <random>
 
 #include "compare/metrics/test_pictures.h"
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/verdict.h"
 
 namespace verisim::compare {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/metrics/test_pictures.h"
-#include "compare/metrics/truth.h"
+#include "compare/verdict/truth.h"
 #include "compare/metrics/values.h"
 
 namespace verisim::compare {

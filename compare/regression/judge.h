@@ -1,7 +1,7 @@
 // The verdict on one scene of a run: its two pictures by the rules of its class, and what speaks against it.
 #pragma once
 
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/verdict.h"
 #include "compare/regression/renders.h"
 
 namespace verisim::compare {

@@ -8,8 +8,8 @@
 
 #include "compare/metrics/rounding.h"
 #include "compare/metrics/values.h"
-#include "compare/metrics/verdict.h"
-#include "compare/metrics/welch.h"
+#include "compare/verdict/verdict.h"
+#include "compare/verdict/welch.h"
 #include "compare/regression/passes.h"
 
 namespace verisim::compare {

@@ -1,6 +1,6 @@
 #include "compare/regression/verisimilitude.h"
 
-#include "compare/regression/command_renderer.h"
+#include "compare/regression/programs/command_renderer.h"
 #include "compare/regression/result_store.h"
 
 namespace verisim::compare {

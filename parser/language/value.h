@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tracer/functions/function.h"
-#include "tracer/functions/spline.h"
+#include "tracer/functions/splines/spline.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::parser {

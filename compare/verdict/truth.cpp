@@ -1,4 +1,4 @@
-#include "compare/metrics/truth.h"
+#include "compare/verdict/truth.h"
 
 #include <fmt/format.h>
 

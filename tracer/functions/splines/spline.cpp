@@ -1,5 +1,5 @@
 // Evaluation of spline{} (spec 01 section 14).
-#include "tracer/functions/spline.h"
+#include "tracer/functions/splines/spline.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "compare/metrics/limits.h"
+#include "compare/verdict/limits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "compare/regression/manifest.h"
+#include "compare/regression/suites/manifest.h"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "compare/oracle/switches.h"
-#include "compare/regression/toml.h"
+#include "compare/regression/suites/toml.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;

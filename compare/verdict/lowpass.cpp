@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "compare/metrics/values.h"
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/verdict.h"
 
 namespace verisim::compare {
 namespace {

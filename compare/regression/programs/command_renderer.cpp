@@ -1,4 +1,4 @@
-#include "compare/regression/command_renderer.h"
+#include "compare/regression/programs/command_renderer.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "compare/metrics/welch.h"
+#include "compare/verdict/welch.h"
 
 #include <fmt/format.h>
 

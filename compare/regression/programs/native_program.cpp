@@ -11,7 +11,7 @@
 #include "compare/oracle/povray.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
-#include "compare/regression/program_call.h"
+#include "compare/regression/programs/program_call.h"
 
 extern char** environ;
 

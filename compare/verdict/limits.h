@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compare/metrics/metrics.h"
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/verdict.h"
 
 namespace verisim::compare {
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "compare/bounded_json.h"
-#include "compare/regression/manifest.h"
+#include "compare/regression/suites/manifest.h"
 #include "compare/report/json.h"
 
 namespace verisim::compare {

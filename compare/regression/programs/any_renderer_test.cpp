@@ -9,7 +9,7 @@
 #include "compare/layers/test_exr.h"
 #include "compare/metrics/test_pictures.h"
 #include "compare/oracle/working_copy.h"
-#include "compare/regression/command_renderer.h"
+#include "compare/regression/programs/command_renderer.h"
 #include "compare/regression/ignored.h"
 #include "compare/regression/run_folder.h"
 #include "compare/regression/stored_variance.h"

@@ -1,4 +1,4 @@
-#include "compare/metrics/verdict.h"
+#include "compare/verdict/verdict.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "compare/metrics/test_pictures.h"
-#include "compare/metrics/verdict.h"
-#include "compare/metrics/welch.h"
+#include "compare/verdict/verdict.h"
+#include "compare/verdict/welch.h"
 
 namespace verisim::compare {
 namespace {

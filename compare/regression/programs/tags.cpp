@@ -10,7 +10,7 @@
 #include "compare/bounded_json.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
-#include "compare/regression/program_call.h"
+#include "compare/regression/programs/program_call.h"
 
 namespace verisim::compare {
 namespace {

@@ -1,5 +1,5 @@
 // Probe P19 of spec 01.
-#include "tracer/functions/spline.h"
+#include "tracer/functions/splines/spline.h"
 
 #include <gtest/gtest.h>
 

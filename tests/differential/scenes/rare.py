@@ -348,7 +348,8 @@ class Scene(grammar.Scene):
             f"camera {{ spherical location {place} angle {d.one('360', '180, 90', '300 100')} look_at 0 }}",
             f"camera {{ cylinder {d.one('1', '2', '3', '4')} location {place} angle {d.one('100', '200')} look_at 0 }}",
             "camera { mesh_camera { 1 1 mesh { triangle { <-2,-2,-5>, <2,-2,-5>, <0,2,-5> } triangle { <-2,-2,-5>, <0,2,-5>, <-2,2,-5> } } } location <0,0,0.01> }",
-            "camera { mesh_camera { 1 3 mesh { triangle { <-2,-2,-5>, <2,-2,-5>, <0,2,-5> uv_vectors <0,0>, <1,0>, <0.5,1> } } smooth } location <0,0,0.01> }",
+            # Not `smooth` over flat triangles: what they show hangs on memory.
+            "camera { mesh_camera { 1 3 mesh { smooth_triangle { <-2,-2,-5>, <0.1,0,1>, <2,-2,-5>, <-0.2,0.1,1>, <0,2,-5>, <0,-0.3,1> uv_vectors <0,0>, <1,0>, <0.5,1> } } smooth } location <0,0,0.01> }",
             f"camera {{ orthographic location {place} look_at 0 angle {d.one('30', '50')} }}",
             f"camera {{ location {place} look_at 0 {self.t.normal()} }}",
         )

@@ -12,9 +12,9 @@ void parse_photon_settings(Parser& parser, scene::Photons& photons);
 // The checks POV-Ray makes when the whole scene has been read (spec 07 2.1).
 void finish_radiosity_settings(Parser& parser, scene::Radiosity& radiosity);
 // photons { ... } of an object and of a light source (spec 07 3.2).
-void parse_object_photons(Parser& parser, scene::PhotonFlags& photons);
-// The warning that a photon flag has turned off another (spec 07 3.2).
-void warn_of_photons(Parser& parser, scene::PhotonFlags::TurnedOff what);
+void parse_object_photons(Parser& parser, scene::Object& object);
+// As what a light looks like does, with its parts.
+void let_photons_pass(Parser& parser, scene::Object& object);
 void parse_light_photons(Parser& parser, scene::LightSource& light);
 
 }  // namespace verisim::parser

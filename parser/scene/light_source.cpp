@@ -96,9 +96,7 @@ class LightReader {
     auto& shape = const_cast<scene::Object&>(*attached);
     scene::translate(shape, light().position);
     shape.no_shadow = true;
-    scene::PhotonFlags& photons = shape.photons.edit();
-    photons.pass_through = true;
-    photons.given = true;
+    let_photons_pass(parser, shape);
     light().looks_like = attached;
   }
 
@@ -245,7 +243,7 @@ bool parse_light_group_item(Parser& parser, scene::Object& object) {
     return true;
   }
   if (parser.at(Word::photons)) {
-    parse_object_photons(parser, object.photons.edit());
+    parse_object_photons(parser, object);
     return true;
   }
   return parse_object_transform(parser, object);

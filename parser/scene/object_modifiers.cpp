@@ -195,7 +195,7 @@ bool parse_modifier(Parser& parser, Object& object) {
     case Word::transform:
       return parse_object_transform(parser, object);
     case Word::photons:
-      parse_object_photons(parser, object.photons.edit());
+      parse_object_photons(parser, object);
       return true;
     case Word::radiosity:
       parse_radiosity(parser, object);

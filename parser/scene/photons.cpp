@@ -127,23 +127,62 @@ void parse_photon_settings(Parser& parser, Photons& photons) {
   close_block(parser);
 }
 
-void warn_of_photons(Parser& parser, scene::PhotonFlags::TurnedOff what) {
-  using TurnedOff = scene::PhotonFlags::TurnedOff;
+namespace {
+
+using TurnedOff = scene::PhotonFlags::TurnedOff;
+
+void warn_of_photons(Parser& parser, TurnedOff what) {
   if (what == TurnedOff::nothing) return;
   parser.warning(Code::incompatible, std::string("Cannot use pass_through with refraction & target. Turning off ") +
                                          (what == TurnedOff::refraction ? "refraction." : "pass_through."));
 }
 
-void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
+// What a statement's flags will turn off in the parts of its object. They are handed down when the statement ends
+// (finish_statement), POV-Ray does it at once. `before`: flags that objects between them have handed down already.
+void note_in_parts(const scene::Object& object, const scene::PhotonFlags& flags, const scene::PhotonFlags& before,
+                   std::vector<TurnedOff>& turned_off) {
+  const auto part = [&](const scene::Object& o, bool passes) {
+    scene::PhotonFlags own = *o.photons;
+    own.pass_through |= passes;
+    own.inherit(before);
+    scene::PhotonFlags changed = own;
+    changed.inherit(flags, &turned_off);
+    note_in_parts(o, flags, own, turned_off);
+  };
+  for (const scene::ObjectPtr& child : scene::declared_children(object)) {
+    const auto* light = child->as<scene::LightSource>();
+    part(*child, light && (light->looks_like || light->projected_through));  // spec 07 3.2
+    if (light && light->looks_like) part(*light->looks_like, false);
+  }
+}
+
+void warn_of_parts(Parser& parser, const scene::Object& object, const scene::PhotonFlags& flags) {
+  std::vector<TurnedOff> turned_off;
+  note_in_parts(object, flags, {}, turned_off);
+  for (const TurnedOff what : turned_off) warn_of_photons(parser, what);
+}
+
+}  // namespace
+
+void let_photons_pass(Parser& parser, scene::Object& object) {
+  scene::PhotonFlags passing;
+  passing.pass_through = passing.given = true;
+  warn_of_parts(parser, object, passing);
+  scene::PhotonFlags& photons = object.photons.edit();
+  warn_of_photons(parser, photons.set_pass_through(true));
+  photons.given = true;
+}
+
+void parse_object_photons(Parser& parser, scene::Object& object) {
   Block block(parser);
+  scene::PhotonFlags& photons = object.photons.edit();
   photons.given = true;
   for (;;) {
     switch (word_at(parser)) {
-      case Word::target: {
+      case Word::target:
         parser.next();
         warn_of_photons(parser, photons.set_target(parser.parse_optional_float(1)));
         continue;
-      }
       case Word::refraction:
         parser.next();
         warn_of_photons(parser, photons.set_refraction(parser.parse_float() > 0));
@@ -166,6 +205,7 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
     break;
   }
   block.close();
+  warn_of_parts(parser, object, photons);
 }
 
 void parse_light_photons(Parser& parser, scene::LightSource& light) {

@@ -105,9 +105,7 @@ class ObjectCheck {
 };
 
 void add_object(Parser& parser, const std::shared_ptr<scene::Object>& object) {
-  std::vector<scene::PhotonFlags::TurnedOff> turned_off;
-  scene::finish_statement(*object, parser.default_texture(), &turned_off);
-  for (const auto what : turned_off) warn_of_photons(parser, what);
+  scene::finish_statement(*object, parser.default_texture());
   ObjectCheck(parser).object(*object);
   parser.scene().objects.push_back(object);
 }

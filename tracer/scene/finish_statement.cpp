@@ -67,22 +67,6 @@ class ShadowlessUnion {
 
 bool is_shadowless_union(const Object& object) { return ShadowlessUnion().is(object); }
 
-using TurnedOff = PhotonFlags::TurnedOff;
-
-void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent, std::vector<TurnedOff>* turned_off) {
-  if (!parent.given) return;
-  PhotonFlags& child = flags.edit();
-  const auto note = [&](TurnedOff what) {
-    if (turned_off && what != TurnedOff::nothing) turned_off->push_back(what);
-  };
-  if (parent.target) note(child.set_target(parent.target_spacing));
-  if (parent.pass_through) note(child.set_pass_through(true));
-  if (parent.reflection != Flag::unset) child.reflection = parent.reflection;
-  if (parent.refraction != Flag::unset) note(child.set_refraction(parent.refraction == Flag::on));
-  if (!parent.collect) child.collect = false;
-  child.given = true;
-}
-
 // Legacy finish keywords of the top layer act on the interior; `refraction` always does, with 1 when it was not written
 // (spec 06 6.6).
 void apply_legacy_finish(Object& object) {
@@ -121,8 +105,7 @@ void forget_uv(Object& object) {
 
 class Walk {
  public:
-  explicit Walk(const TexturePtr& texture, std::vector<TurnedOff>* off = nullptr)
-      : default_texture(texture), turned_off(off) {}
+  explicit Walk(const TexturePtr& texture) : default_texture(texture) {}
 
   void object(Object& o, bool keeps_untextured) {
     itself(o, keeps_untextured);
@@ -168,7 +151,6 @@ class Walk {
 
  private:
   const TexturePtr& default_texture;
-  std::vector<TurnedOff>* turned_off;
   bool interior_is_inherited = false;
 
   void attached_objects(const Object& around, LightSource& light) {
@@ -200,7 +182,7 @@ class Walk {
     child.no_radiosity = child.no_radiosity || parent.no_radiosity;
     child.cutaway_textures = child.cutaway_textures || parent.cutaway_textures;
     if (child.radiosity_importance < 0) child.radiosity_importance = parent.radiosity_importance;
-    inherit_photons(child.photons, parent.photons, turned_off);
+    if (parent.photons->given) child.photons.edit().inherit(*parent.photons);
   }
 };
 
@@ -286,10 +268,23 @@ PhotonFlags::TurnedOff PhotonFlags::set_pass_through(bool on) {
   return TurnedOff::refraction;
 }
 
+void PhotonFlags::inherit(const PhotonFlags& parent, std::vector<TurnedOff>* turned_off) {
+  if (!parent.given) return;
+  const auto note = [&](TurnedOff what) {
+    if (turned_off && what != TurnedOff::nothing) turned_off->push_back(what);
+  };
+  if (parent.target) note(set_target(parent.target_spacing));
+  if (parent.pass_through) note(set_pass_through(true));
+  if (parent.reflection != Flag::unset) reflection = parent.reflection;
+  if (parent.refraction != Flag::unset) note(set_refraction(parent.refraction == Flag::on));
+  if (!parent.collect) collect = false;
+  given = true;
+}
+
 void finish_children(Object& parent, const TexturePtr& default_texture) { Walk(default_texture).children(parent); }
 
-void finish_statement(Object& object, const TexturePtr& default_texture, std::vector<TurnedOff>* turned_off) {
-  Walk walk(default_texture, turned_off);
+void finish_statement(Object& object, const TexturePtr& default_texture) {
+  Walk walk(default_texture);
   // What is below a copy may wait only here: deeper in the tree later siblings may share its interior, and the last one
   // written wins.
   if (auto* csg = object.as<Csg>(); csg && csg->postponable && (csg->children.shared() || csg->children.postponed())) {

@@ -312,6 +312,8 @@ struct PhotonFlags {
   TurnedOff set_target(double density);  // <= 0: none
   TurnedOff set_refraction(bool on);
   TurnedOff set_pass_through(bool on);
+  // What a compound object hands down to its parts; `turned_off` gets what that turns off in them.
+  void inherit(const PhotonFlags& parent, std::vector<TurnedOff>* turned_off = nullptr);
 };
 
 struct Object {
@@ -391,8 +393,6 @@ void complete(const Object& object);
 std::shared_ptr<Object> copy(const Object& object);
 // At the end of a top-level statement: pushes textures, interiors and flags to the children, gives every object its own
 // interior and the default texture where it has none, collects light groups (spec 03 5.3, 5.4; 06 6.1, 10.1).
-// `turned_off`: gets what photon flags that were pushed down have turned off.
-void finish_statement(Object& object, const TexturePtr& default_texture,
-                      std::vector<PhotonFlags::TurnedOff>* turned_off = nullptr);
+void finish_statement(Object& object, const TexturePtr& default_texture);
 
 }  // namespace verisim::scene

@@ -1,6 +1,7 @@
 // photons { ... } of global_settings, objects and light sources (spec 07 section 3).
 #include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
+#include "tracer/scene/parts.h"
 
 namespace verisim::parser {
 
@@ -140,14 +141,15 @@ void warn_of_photons(Parser& parser, TurnedOff what) {
 // What a statement's flags will turn off in the parts of its object. They are handed down when the statement ends
 // (finish_statement), POV-Ray does it at once. `before`: flags that objects between them have handed down already.
 void note_in_parts(const scene::Object& object, const scene::PhotonFlags& flags, const scene::PhotonFlags& before,
-                   std::vector<TurnedOff>& turned_off) {
+                   scene::SharedLists& seen, std::vector<TurnedOff>& turned_off) {
+  if (!seen.first(object)) return;  // else nested copies of copies are as many as 2 to the power of their levels
   const auto part = [&](const scene::Object& o, bool passes) {
     scene::PhotonFlags own = *o.photons;
     own.pass_through |= passes;
     own.inherit(before);
     scene::PhotonFlags changed = own;
     changed.inherit(flags, &turned_off);
-    note_in_parts(o, flags, own, turned_off);
+    note_in_parts(o, flags, own, seen, turned_off);
   };
   for (const scene::ObjectPtr& child : scene::declared_children(object)) {
     const auto* light = child->as<scene::LightSource>();
@@ -158,7 +160,8 @@ void note_in_parts(const scene::Object& object, const scene::PhotonFlags& flags,
 
 void warn_of_parts(Parser& parser, const scene::Object& object, const scene::PhotonFlags& flags) {
   std::vector<TurnedOff> turned_off;
-  note_in_parts(object, flags, {}, turned_off);
+  scene::SharedLists seen;
+  note_in_parts(object, flags, {}, seen, turned_off);
   for (const TurnedOff what : turned_off) warn_of_photons(parser, what);
 }
 

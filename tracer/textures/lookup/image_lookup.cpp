@@ -151,16 +151,18 @@ double raw_index(const ImageLookup& l, double u, double v) {
 }
 
 // POV-Ray looks at the pixels: neither an alpha channel nor an entry of a palette counts that none of them uses.
-template <class Is>
-bool some_pixel(const Image& image, Is is) {
-  if (!image.has_alpha && std::ranges::none_of(image.palette, is)) return false;
-  bool found = false;
+void look_for_transparency(const Image& image, ImageLookup& l) {
+  if (!image.has_alpha && std::ranges::none_of(image.palette, [](const Color& c) { return c.f != 0 || c.t != 0; }))
+    return;
   image.with_reader([&](const auto& read) {
-    for (int y = 0; y < image.height && !found; ++y)
-      for (int x = 0; x < image.width && !found; ++x) found = is(read(x, y));
+    for (int y = 0; y < image.height && !l.transmits; ++y)
+      for (int x = 0; x < image.width && !l.transmits; ++x) {
+        const Color c = read(x, y);
+        l.transmits = c.t != 0;
+        l.transparent |= l.transmits || c.f != 0;
+      }
     return Color();
   });
-  return found;
 }
 
 }  // namespace
@@ -180,8 +182,7 @@ ImageLookup compile_image(const scene::ImageParams& params) {
   l.height = static_cast<float>(image.height * params.repeat.y);
   l.offset_u = params.offset.x * image.width;
   l.offset_v = params.offset.y * image.height;
-  l.transmits = some_pixel(image, [](const Color& c) { return c.t != 0; });
-  l.transparent = l.transmits || some_pixel(image, [](const Color& c) { return c.f != 0; });
+  look_for_transparency(image, l);
   if (!image.indexed()) {
     l.filter_all = params.filter_all;
     l.transmit_all = params.transmit_all;

@@ -107,7 +107,7 @@ class Scanner {
   static bool truth(double v) { return std::fabs(v) > kEps; }
 
   bool conditional(Term& out, int depth) {
-    if (!operations(out, kLogical, depth)) return false;
+    if (!operations<kLogical>(out, depth)) return false;
     if (at_->punctuation != '?') return true;
     if (depth >= kMaxDepth || out.terms != 1) return false;
     advance();
@@ -134,71 +134,70 @@ class Scanner {
     return kTable[static_cast<unsigned char>(operation)];
   }
 
-  // Operands with operators that bind at least as tightly as `loosest`, from left to right.
-  bool operations(Term& out, Precedence loosest, int depth) {
-    if (!operand(out, depth)) return false;
-    for (;;) {
-      const char operation = at_->punctuation;
-      const Precedence binds = precedence(operation);
-      if (binds < loosest) return true;
-      if (at_->kind == TokenKind::vector) return false;
-      advance();
-      Term right;
-      const bool read =
-          binds == kProduct ? operand(right, depth) : operations(right, static_cast<Precedence>(binds + 1), depth);
-      if (!read || !(out.terms + right.terms == 2 ? apply(operation, out.v[0], right.v[0])
-                                                  : binds >= kSum && apply_to_vectors(operation, out, right)))
-        return false;
+  // Operands with operators that bind at least as tightly as `loosest`, from left to right. A template, so that what
+  // is between two operands of a loop's statement is one piece of code.
+  template <Precedence loosest>
+  [[gnu::always_inline]] bool operations(Term& out, int depth) {
+    constexpr auto kTighter = static_cast<Precedence>(loosest + 1);
+    if constexpr (loosest > kProduct) {
+      return operand(out, depth);
+    } else {
+      if (!operations<kTighter>(out, depth)) return false;
+      while (precedence(at_->punctuation) == loosest) {
+        if (at_->kind == TokenKind::vector) return false;
+        const char operation = at_->punctuation;
+        advance();
+        Term right;
+        if (!operations<kTighter>(right, depth)) return false;
+        if (!(out.terms + right.terms == 2 ? apply<loosest>(operation, out.v[0], right.v[0])
+                                           : loosest >= kSum && apply_to_vectors<loosest>(operation, out, right)))
+          return false;
+      }
+      return true;
     }
   }
-  bool sum(Term& out, int depth) { return operations(out, kSum, depth); }
+  bool sum(Term& out, int depth) { return operations<kSum>(out, depth); }
 
-  // False: not by zero.
+  // a = a operation b, with an operation of that precedence. False: a division by zero.
+  template <Precedence binds>
   static bool apply(char operation, double& a, double b) {
-    switch (operation) {
-      case '+':
-        a += b;
-        return true;
-      case '-':
-        a -= b;
-        return true;
-      case '*':
+    if constexpr (binds == kProduct) {
+      if (operation == '*') {
         a *= b;
-        return true;
-      case '/':
+      } else {
         if (b == 0) return false;
         a /= b;
-        return true;
+      }
+    } else if constexpr (binds == kSum) {
+      a = operation == '+' ? a + b : a - b;
+    } else if constexpr (binds == kLogical) {
+      a = operation == '&' ? truth(a) && truth(b) : truth(a) || truth(b);
+    } else {
+      a = relation(operation, a, b);
+    }
+    return true;
+  }
+  static bool relation(char operation, double a, double b) {
+    switch (operation) {
       case '<':
-        a = a < b;
-        return true;
+        return a < b;
       case '>':
-        a = a > b;
-        return true;
+        return a > b;
       case '=':
-        a = !truth(a - b);
-        return true;
+        return !truth(a - b);
       case kLessEqual:
-        a = a <= b || !truth(a - b);
-        return true;
+        return a <= b || !truth(a - b);
       case kGreaterEqual:
-        a = a >= b || !truth(a - b);
-        return true;
-      case kNotEqual:
-        a = truth(a - b);
-        return true;
-      case '&':
-        a = truth(a) && truth(b);
-        return true;
+        return a >= b || !truth(a - b);
       default:
-        a = truth(a) || truth(b);
-        return true;
+        return truth(a - b);
     }
   }
+  template <Precedence binds>
   static bool apply_to_vectors(char operation, Term& out, Term& right) {
     out.widen(), right.widen();
-    return apply(operation, out.v[0], right.v[0]) && apply(operation, out.v[1], right.v[1]) &&
-           apply(operation, out.v[2], right.v[2]);
+    return apply<binds>(operation, out.v[0], right.v[0]) && apply<binds>(operation, out.v[1], right.v[1]) &&
+           apply<binds>(operation, out.v[2], right.v[2]);
   }
 
   bool scalar(double& out, int depth) {

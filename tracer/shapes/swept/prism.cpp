@@ -263,8 +263,9 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   void add_straight() {
     const auto curved = [](const Segment& s) { return s.curve.degree != 1; };
     if (conic_ || guards() || segments_.size() > kMaxSegments || std::ranges::any_of(segments_, curved)) return;
+    const double size = std::max({farthest(along_x), farthest(along_z), std::fabs(low_), std::fabs(high_)});
     straight_ = std::make_unique<Walls>(
-        Walls{has_matrix() ? &matrix() : nullptr, inverted(), open_, low_, high_, outline_, {}});
+        Walls{has_matrix() ? &matrix() : nullptr, inverted(), open_, low_, high_, outline_, size, {}});
     for (const Segment& s : segments_)
       straight_->segments.push_back(
           {s.curve.c[0].x, s.curve.c[0].y, s.curve.c[1].x, s.curve.c[1].y, s.x_low, s.x_high, s.z_low, s.z_high});

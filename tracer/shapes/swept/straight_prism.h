@@ -25,6 +25,7 @@ class StraightPrism {
     bool inverted, open;
     double low, high;
     Rectangle outline;
+    double size;  // the largest of all coordinates
     std::vector<StraightSegment> segments;
   };
   // Null: it is conic, clipped, has curves or too many segments.

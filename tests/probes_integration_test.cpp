@@ -152,6 +152,25 @@ disc { <0,.01025,0>,vnormalize(<.0195,1,0>),3 no_image })";
   EXPECT_EQ(lin16(replayed, 1, 0)[0], 0);
 }
 
+// The remembered disc counts as far as the light, but ends 0.001 before what the light is projected through: it rises
+// through 2.9985 in the middle by 0.001 from there to either side (spec 08 D).
+TEST(ShadowCache, OccluderNearTheLightShadows) {
+  const auto shadowed = [](const std::string& light) {
+    render::Options options;
+    options.replay = true;
+    const std::string scene = std::string("#version 3.7;") + kPrelude + R"(
+camera { orthographic location 50*y direction -y right 4*x up z } plane { y,0 texture { Wht } }
+disc { <0,2.9985,0>,vnormalize(<-.001,1,0>),9 no_image }
+light_source { )" + light + " }";
+    const render::Framebuffer frame = render_text(scene, 64, 1, options);
+    int dark = 0;
+    for (int x = 0; x < 64; ++x) dark += lin16(frame, x, 0)[0] == 0;
+    return dark;
+  };
+  EXPECT_EQ(shadowed("3*y rgb 1 parallel point_at 0"), 56);
+  EXPECT_EQ(shadowed("1000*y rgb 1 parallel point_at 0 projected_through { plane { y,3 } }"), 40);
+}
+
 // What has no weight in an average is shaded and draws numbers: each pixel takes the second of two (spec 05 11.1).
 TEST(Average, ShadesWhatDoesNotCount) {
   render::Options options;

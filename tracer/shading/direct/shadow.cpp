@@ -133,7 +133,9 @@ void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const
   const auto leave = [&] {
     if (rest) *rest = {ray.ray, distance + segment.beyond};
   };
-  if (remembered && filter_by_remembered(query, *remembered, distance, ray, color)) {
+  // As far as the light; to what it is projected through, less the tolerance of the search (spec 08 D).
+  const double reach = query.light.projector() ? distance - kShadowTolerance : distance;
+  if (remembered && filter_by_remembered(query, *remembered, reach, ray, color)) {
     color = {};
     leave();
     return;

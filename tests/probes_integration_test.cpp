@@ -171,6 +171,28 @@ light_source { )" + light + " }";
   EXPECT_EQ(shadowed("1000*y rgb 1 parallel point_at 0 projected_through { plane { y,3 } }"), 40);
 }
 
+// A ray that has met the red sphere before it comes to the box of the green one does not ask that, though it is nearer
+// (spec 08 A). Numbers of pixels are POV-Ray's.
+TEST(Bounds, WhatReachesOutOfItsBoxIsAskedInItsTurn) {
+  for (const bool replay : {false, true}) {
+    render::Options options;
+    options.replay = replay;
+    const render::Framebuffer frame = render_text(std::string("#version 3.7;") + kPrelude + R"(
+camera { fisheye location -5*z angle 30 }
+intersection { sphere { 0, 1 } plane { -z, 2 } bounded_by { sphere { .9*z, .9 } }
+pigment { rgb y } finish { emission 1 ambient 0 diffuse 0 } }
+sphere { 0, .5 pigment { rgb x } finish { emission 1 ambient 0 diffuse 0 } } sphere { 20*y,1 } sphere { 30*y,1 })",
+                                                  16, 12, options);
+    int red = 0, green = 0;
+    for (int i = 0; i < 16 * 12; ++i) {
+      const auto color = lin16(frame, i % 16, i / 16);
+      red += color[0] > 0, green += color[1] > 0;
+    }
+    EXPECT_EQ(red, 16);
+    EXPECT_EQ(green, 16);
+  }
+}
+
 // What has no weight in an average is shaded and draws numbers: each pixel takes the second of two (spec 05 11.1).
 TEST(Average, ShadesWhatDoesNotCount) {
   render::Options options;

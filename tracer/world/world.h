@@ -153,6 +153,9 @@ class World {
   void enter(const Shaft& shaft, WorldEntry& entry) const;
 
  private:
+  // intersect() by POV-Ray's own search: objects in the order of their boxes.
+  bool intersect_in_turn(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
+
   struct Impl;
   class BatchSearch;
   class Search;

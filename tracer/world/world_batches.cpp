@@ -169,7 +169,8 @@ class World::BatchSearch {
   }
 
   unsigned found() const { return found_; }
-  unsigned coincident() const { return coincident_; }
+  unsigned coincident() const { return coincident_ & ~before_box_; }
+  unsigned before_box() const { return before_box_; }
   const Coincidences& coincidences() const { return coincidences_; }
 
   void test_planes() {
@@ -255,15 +256,18 @@ class World::BatchSearch {
       return;
     }
     each_lane(shape.intersect_packet({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
-              [&](int k) {
-                if (w_.admits(index, rays_.at(k), others_[k])) take(k, others_[k], index);
-              });
+              [&](int k) { take_admitted(k, rays_.at(k), index); });
   }
   void test_alone(const Shape& shape, std::uint32_t index, const EntryPoints* inner, int k) {
     const Ray ray = rays_.at(k);
     const bool met = inner ? shape.intersect_from(*inner, ray, kind_, t_min_, limit_[k], others_[k])
                            : shape.intersect(ray, kind_, t_min_, limit_[k], others_[k]);
-    if (met && w_.admits(index, ray, others_[k])) take(k, others_[k], index);
+    if (met) take_admitted(k, ray, index);
+  }
+  void take_admitted(int k, const Ray& ray, std::uint32_t index) {
+    if (!w_.admits(index, ray, others_[k])) return;
+    if (w_.entries[index].before_box(ray, others_[k])) before_box_ |= 1u << k;
+    take(k, others_[k], index);
   }
 
   const Impl& w_;
@@ -275,6 +279,7 @@ class World::BatchSearch {
   alignas(64) double limit_[kLanes];
   unsigned found_ = 0;
   unsigned coincident_ = 0;  // lanes in which another entry was hit in the same place
+  unsigned before_box_ = 0;  // and in which something was hit before its box
   std::uint32_t owner_[kLanes];
   Coincidences coincidences_;
   Hit others_[kLanes];
@@ -305,6 +310,10 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
       w.settle(rays.at(start + k), k, far, search.coincidences(), hits[start + k]);
     });
     for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;
+    each_lane(search.before_box(), [&](int k) {
+      const double far = t_max ? t_max[start + k] : kFarthestHit;
+      found[start + k] = intersect_in_turn(rays.at(start + k), kind, t_min, far, hits[start + k]);
+    });
   }
 }
 

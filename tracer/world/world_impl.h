@@ -69,6 +69,13 @@ struct Entry {
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
            at_edge(ray, hit);
   }
+  // The hit lies before the box. POV-Ray asks objects in the order of their boxes, and not at all where the ray has met
+  // something on its way to the box: its search is to be repeated.
+  bool before_box(const Ray& ray, const Hit& hit) const {
+    if (!cut) return false;
+    double near = -HUGE_VAL, far = HUGE_VAL;
+    return clip_to_box(ray, box(), near, far) && hit.t < near + kCoincident * (std::fabs(near) + length(ray.origin));
+  }
   // The box is wider than POV-Ray's by less than the slack.
   bool at_edge(const Ray& ray, const Hit& hit) const {
     const Vec3& p = hit.point;

@@ -11,6 +11,7 @@ class World::Search {
       : w_(world), ray_(ray), kind_(kind), mask_(bit(kind)), t_min_(t_min), limit_(t_max), hit_(hit) {}
 
   bool found() const { return found_; }
+  bool before_box() const { return before_box_; }
   double limit() const { return limit_; }
   const Coincidences* coincidences() const { return coincident_ ? &coincidences_ : nullptr; }
 
@@ -83,7 +84,9 @@ class World::Search {
     Hit other;
     const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
                            : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (met && w_.admits(index, ray_, other)) take(other, index);
+    if (!met || !w_.admits(index, ray_, other)) return;
+    before_box_ |= w_.entries[index].before_box(ray_, other);
+    take(other, index);
   }
 
   const Impl& w_;
@@ -97,16 +100,20 @@ class World::Search {
   std::uint32_t owner_ = 0;
   bool coincident_ = false;  // another entry was hit in the same place
   Coincidences coincidences_;
+  bool before_box_ = false;  // something was hit before its box
 };
+
+bool World::intersect_in_turn(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+  Search search(*impl_, ray, kind, t_min, t_max, hit);
+  search.test_in_turn();
+  return search.found();
+}
 
 bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
                       const WorldEntry* entry) const {
   const Impl& w = *impl_;
+  if (w.searches_in_turn()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   Search search(w, ray, kind, t_min, t_max, hit);
-  if (w.searches_in_turn()) {
-    search.test_in_turn();
-    return search.found();
-  }
   search.test_unbounded();
   w.traverse(
       ray, t_min, search.limit(),
@@ -116,6 +123,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
       },
       entry);
   search.test_around();
+  if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
 }
@@ -143,6 +151,7 @@ bool World::intersect_along(const Ray& ray, RayKind kind, double t_min, double t
     farthest = round_up(passed + search.limit() + slack);
   }
   search.test_around();
+  if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
 }

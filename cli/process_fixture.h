@@ -13,9 +13,9 @@
 #include <chrono>
 #include <fstream>
 #include <random>
-#include <sstream>
 #include <thread>
 
+#include "tracer/base/whole_file.h"
 #include "tracer/image/output.h"
 
 namespace verisim::cli {
@@ -38,12 +38,7 @@ struct Ended {
   std::string output, errors;
 };
 
-inline std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+inline std::string text_of(const fs::path& path) { return whole_file(path).value_or(""); }
 
 class Process : public testing::Test {
  protected:

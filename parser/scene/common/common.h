@@ -37,5 +37,13 @@ struct Block {
   Parser::Depth depth;
   scene::SourceLocation place;
 };
+// What `read` makes of all that stands between braces.
+template <class Read>
+auto in_block(Parser& parser, const Read& read) {
+  Block block(parser);
+  auto result = read();
+  block.close();
+  return result;
+}
 
 }  // namespace verisim::parser

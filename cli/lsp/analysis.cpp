@@ -119,11 +119,6 @@ void Analyst::forget(const std::string& key) {
   if (running_ == key) cancel_ = true;
 }
 
-void Analyst::wait() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return end_ || (wishes_.empty() && running_.empty()); });
-}
-
 // Lints come with what is wrong where they are found at once, and behind it where they take longer.
 void Analyst::give(std::shared_ptr<Analysis> analysis) {
   constexpr std::chrono::milliseconds kAtOnce{20};

@@ -33,6 +33,4 @@ FunctionPtr internal_function(int n, int noise_generator) {
   throw std::invalid_argument("Function 'internal(" + std::to_string(n) + ")' does not exist.");
 }
 
-int internal_function_parameters(int n) { return internal_function(n, 1)->parameters(); }
-
 }  // namespace verisim::functions

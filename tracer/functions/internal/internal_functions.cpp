@@ -1,10 +1,10 @@
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 
 #include <stdexcept>
 #include <string>
 
 #include "tracer/functions/expression.h"
-#include "tracer/functions/internal_noise.h"
+#include "tracer/functions/internal/noise_functions.h"
 
 namespace verisim::functions {
 

@@ -85,15 +85,19 @@ class Process : public testing::Test {
   Ended wait(pid_t child) const {
     int status = 0;
     ::waitpid(child, &status, 0);
-    Ended ended;
-    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-    if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
-    ended.output = text_of(folder_ / "stdout.txt");
-    ended.errors = text_of(folder_ / "stderr.txt");
-    return ended;
+    return ended_with(status);
   }
   Ended run(const std::vector<std::string>& arguments, const std::string& called = "verisim") const {
     return wait(start(arguments, called));
+  }
+  // Through the shell, as most callers do: a command in the test's folder, with the program as $V and `input` on its
+  // standard input.
+  Ended shell(const std::string& command, const std::string& input = "") const {
+    file("input.txt", input);
+    const std::string whole = "cd '" + folder_.string() +
+                              "' && export V='" VERISIM_BINARY_DIR "/bin/verisim' HOME=$PWD/home && (" + command +
+                              ") <input.txt >stdout.txt 2>stderr.txt";
+    return ended_with(std::system(whole.c_str()));
   }
 
   // Files that should not be there after a run: temporary names.
@@ -108,6 +112,16 @@ class Process : public testing::Test {
     return names;
   }
   fs::path folder_;
+
+ private:
+  Ended ended_with(int status) const {
+    Ended ended;
+    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
+    ended.output = text_of(folder_ / "stdout.txt");
+    ended.errors = text_of(folder_ / "stderr.txt");
+    return ended;
+  }
 };
 
 }  // namespace verisim::cli

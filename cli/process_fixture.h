@@ -69,6 +69,7 @@ class Process : public testing::Test {
     const pid_t child = ::fork();
     if (child != 0) return child;
     if (::chdir(folder_.c_str()) != 0) ::_exit(127);
+    ::signal(SIGHUP, SIG_DFL);  // tests may be run by nohup, and what ignores a signal does not end by it
     ::setenv("HOME", (folder_ / "home").c_str(), 1);
     ::setenv("POVINI", "empty.ini", 1);
     std::ofstream(folder_ / "empty.ini") << "; nothing\n";

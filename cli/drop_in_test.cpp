@@ -14,18 +14,6 @@ class DropIn : public Process {
     Process::SetUp();
     fs::create_symlink(VERISIM_BINARY_DIR "/bin/verisim", folder_ / "povray");
   }
-  // Through the shell, as most callers do; `input` goes to standard input.
-  Ended shell(const std::string& command, const std::string& input = "") const {
-    file("input.txt", input);
-    const std::string whole =
-        "cd '" + folder_.string() + "' && export HOME=$PWD/home && " + command + " <input.txt >stdout.txt 2>stderr.txt";
-    Ended ended;
-    const int status = std::system(whole.c_str());
-    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-    ended.output = text_of(folder_ / "stdout.txt");
-    ended.errors = text_of(folder_ / "stderr.txt");
-    return ended;
-  }
 };
 
 // The Python package vapory writes __temp__.pov and reads a PPM or PNG from standard output.

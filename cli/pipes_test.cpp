@@ -14,18 +14,8 @@ using testing::StartsWith;
 
 class Pipes : public Process {
  protected:
-  // Through the shell: `command` with the program as $V, the scene on its standard input.
   Ended shell(const std::string& command, const std::string& scene = kQuickScene) const {
-    file("input.txt", scene);
-    const std::string whole = "cd '" + folder_.string() +
-                              "' && export V='" VERISIM_BINARY_DIR "/bin/verisim' HOME=$PWD/home && (" + command +
-                              ") <input.txt >stdout.txt 2>stderr.txt";
-    Ended ended;
-    const int status = std::system(whole.c_str());
-    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-    ended.output = text_of(folder_ / "stdout.txt");
-    ended.errors = text_of(folder_ / "stderr.txt");
-    return ended;
+    return Process::shell(command, scene);
   }
 };
 

@@ -13,9 +13,9 @@
 #include <chrono>
 #include <fstream>
 #include <random>
-#include <sstream>
 #include <thread>
 
+#include "tracer/base/whole_file.h"
 #include "tracer/image/output.h"
 
 namespace verisim::cli {
@@ -38,12 +38,7 @@ struct Ended {
   std::string output, errors;
 };
 
-inline std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+inline std::string text_of(const fs::path& path) { return whole_file(path).value_or(""); }
 
 class Process : public testing::Test {
  protected:
@@ -74,6 +69,7 @@ class Process : public testing::Test {
     const pid_t child = ::fork();
     if (child != 0) return child;
     if (::chdir(folder_.c_str()) != 0) ::_exit(127);
+    ::signal(SIGHUP, SIG_DFL);  // tests may be run by nohup, and what ignores a signal does not end by it
     ::setenv("HOME", (folder_ / "home").c_str(), 1);
     ::setenv("POVINI", "empty.ini", 1);
     std::ofstream(folder_ / "empty.ini") << "; nothing\n";
@@ -90,15 +86,19 @@ class Process : public testing::Test {
   Ended wait(pid_t child) const {
     int status = 0;
     ::waitpid(child, &status, 0);
-    Ended ended;
-    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
-    if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
-    ended.output = text_of(folder_ / "stdout.txt");
-    ended.errors = text_of(folder_ / "stderr.txt");
-    return ended;
+    return ended_with(status);
   }
   Ended run(const std::vector<std::string>& arguments, const std::string& called = "verisim") const {
     return wait(start(arguments, called));
+  }
+  // Through the shell, as most callers do: a command in the test's folder, with the program as $V and `input` on its
+  // standard input.
+  Ended shell(const std::string& command, const std::string& input = "") const {
+    file("input.txt", input);
+    const std::string whole = "cd '" + folder_.string() +
+                              "' && export V='" VERISIM_BINARY_DIR "/bin/verisim' HOME=$PWD/home && (" + command +
+                              ") <input.txt >stdout.txt 2>stderr.txt";
+    return ended_with(std::system(whole.c_str()));
   }
 
   // Files that should not be there after a run: temporary names.
@@ -113,6 +113,16 @@ class Process : public testing::Test {
     return names;
   }
   fs::path folder_;
+
+ private:
+  Ended ended_with(int status) const {
+    Ended ended;
+    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
+    ended.output = text_of(folder_ / "stdout.txt");
+    ended.errors = text_of(folder_ / "stderr.txt");
+    return ended;
+  }
 };
 
 }  // namespace verisim::cli

@@ -18,6 +18,7 @@
 #include "cli/settings/reading/own_options.h"
 #include "cli/settings/reading/scene_words.h"
 #include "parser/source/suggest.h"
+#include "tracer/base/whole_file.h"
 #include "tracer/render/requirements.h"
 
 namespace fs = std::filesystem;
@@ -112,7 +113,7 @@ Checked check_scene(const Options& options, Console& console, Interrupt& interru
     for (const fs::path& file : result.files_read)
       if (file != scene.path) files.push_back(file);
     const auto text = [&](const fs::path& file) {
-      return file == scene.path && scene.text ? scene.text : text_on_disk(file);
+      return file == scene.path && scene.text ? scene.text : whole_file(file);
     };
     checked.lints = *find_lints({*result.scene, std::move(files), text}, wanted.lints);
     for (const LintFinding& finding : checked.lints)

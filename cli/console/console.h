@@ -68,7 +68,7 @@ class Console {
   ProgressLines lines_;
   int last_percent_ = -1;
   std::string stage_;  // whose progress was shown last, and since when it runs
-  std::chrono::steady_clock::time_point stage_start_, parse_shown_;
+  std::chrono::steady_clock::time_point stage_start_;
   TimeLeft left_;
   std::string debug_line_;
   struct Closer {

@@ -77,6 +77,13 @@ DumpJson finish(const scene::Finish& f) {
   return out;
 }
 
+// What pigments and densities have in common.
+template <class Colored>
+void colors(DumpJson& out, const Colored& c) {
+  if (c.pattern.kind == scene::PatternKind::plain) out["color"] = dump(c.color);
+  if (c.color_map) out["color_map"] = map(*c.color_map, [](const Color& color) { return dump(color); });
+}
+
 }  // namespace
 
 void SceneDump::pattern(DumpJson& out, const scene::Pattern& p) {
@@ -98,8 +105,7 @@ void SceneDump::pattern(DumpJson& out, const scene::Pattern& p) {
 DumpJson SceneDump::pigment(const scene::Pigment& p) {
   DumpJson out = DumpJson::object();
   pattern(out, p.pattern);
-  if (p.pattern.kind == scene::PatternKind::plain) out["color"] = dump(p.color);
-  if (p.color_map) out["color_map"] = map(*p.color_map, [](const Color& c) { return dump(c); });
+  colors(out, p);
   if (p.pigment_map)
     out["pigment_map"] = map(*p.pigment_map, [this](const scene::PigmentPtr& q) { return pigment(*q); });
   if (p.quick_color) out["quick_color"] = dump(*p.quick_color);
@@ -148,8 +154,7 @@ DumpJson SceneDump::texture(const scene::TexturePtr& t) {
 DumpJson SceneDump::density(const scene::Density& d) {
   DumpJson out = DumpJson::object();
   pattern(out, d.pattern);
-  if (d.pattern.kind == scene::PatternKind::plain) out["color"] = dump(d.color);
-  if (d.color_map) out["color_map"] = map(*d.color_map, [](const Color& c) { return dump(c); });
+  colors(out, d);
   if (d.density_map)
     out["density_map"] = map(*d.density_map, [this](const scene::DensityPtr& q) { return density(*q); });
   return out;

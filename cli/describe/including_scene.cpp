@@ -1,11 +1,10 @@
 #include "cli/describe/including_scene.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 #include "parser/source/suggest.h"
+#include "tracer/base/whole_file.h"
 
 namespace fs = std::filesystem;
 
@@ -41,10 +40,7 @@ fs::path scene_that_includes(const fs::path& file) {
   for (int level = 0; level < 2 && !failed; ++level, folder = folder.parent_path())
     for (const fs::path& scene : scenes_in(folder)) {
       if (scene == own || fs::file_size(scene, failed) > kLargest || failed) continue;
-      std::ifstream stream(scene, std::ios::binary);
-      std::ostringstream text;
-      text << stream.rdbuf();
-      if (names(text.str(), own.filename().string())) return scene;
+      if (names(whole_file(scene).value_or(""), own.filename().string())) return scene;
     }
   return {};
 }

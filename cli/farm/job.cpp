@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,6 +9,7 @@
 
 #include "compare/bounded_json.h"
 #include "tracer/base/output_file.h"
+#include "tracer/base/whole_file.h"
 
 namespace fs = std::filesystem;
 
@@ -126,14 +125,12 @@ void write_manifest(const FarmJob& job) {
 FarmJob read_job(const fs::path& folder) {
   FarmJob job;
   const fs::path path = folder / "manifest.json";
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
+  const std::optional<std::string> text = whole_file(path);
+  if (!text)
     throw std::runtime_error(fmt::format(
         "'{}' is no job folder of `verisim farm submit`: there is no manifest.json to be read", folder.string()));
-  std::ostringstream text;
-  text << stream.rdbuf();
   try {
-    job = job_of(compare::bounded_json<ordered_json>(text.str()));
+    job = job_of(compare::bounded_json<ordered_json>(*text));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("cannot use '{}': {}", path.string(), error.what()));
   }

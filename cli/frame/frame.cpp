@@ -311,7 +311,6 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
         !depends_on_frame(own->files_read, job.scene.text))
       job.shared->result = std::move(*own);
     const parser::ParseResult& parsed = job.shared && job.shared->result.scene ? job.shared->result : *own;
-    report.scene_reused = reuse;
     report.files_read = parsed.files_read;
     report.stochastic_features = stochastic_features(*parsed.scene, job.options.quality);
     if (job.console.style() == Style::povray)

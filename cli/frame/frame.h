@@ -12,7 +12,6 @@ namespace verisim::cli {
 
 struct FrameReport {
   ExitStatus status = kOk;
-  bool scene_reused = false;     // from an earlier frame, not parsed again
   bool skipped = false;          // +C and the picture is there
   std::string message;           // the first error, as one line
   std::filesystem::path output;  // empty: none was written

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
+
+#include "tracer/base/whole_file.h"
 
 namespace verisim::cli {
 namespace {
@@ -36,9 +37,8 @@ bool holds_word(const std::string& text) {
 bool depends_on_frame(const std::vector<std::filesystem::path>& files, const std::optional<std::string>& text) {
   if (text && holds_word(*text)) return true;
   for (const std::filesystem::path& file : files) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string content{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream || holds_word(content)) return true;
+    const std::optional<std::string> content = whole_file(file);
+    if (!content || holds_word(*content)) return true;
   }
   return files.empty() && !text;
 }

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <tuple>
 
 #include "cli/settings/options.h"
@@ -54,14 +52,6 @@ void keep_one_of_each(std::vector<LintFinding>& found) {
 }
 
 }  // namespace
-
-std::optional<std::string> text_on_disk(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return std::nullopt;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
-}
 
 std::optional<std::vector<LintFinding>> find_lints(const LintedScene& linted, const std::set<std::string_view>& wanted,
                                                    const std::function<bool()>& stop) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "parser/source/diagnostic.h"
+#include "tracer/base/whole_file.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::cli {
@@ -41,13 +42,12 @@ std::set<std::string_view> wanted_lints(const std::vector<std::string>& names);
 
 // The text of a file; nothing: it cannot be read.
 using ReadText = std::function<std::optional<std::string>(const std::filesystem::path&)>;
-std::optional<std::string> text_on_disk(const std::filesystem::path& path);
 
 // What was read: `files` are all files of the scene, the scene's own first.
 struct LintedScene {
   const scene::Scene& scene;
   std::vector<std::filesystem::path> files;
-  ReadText text = text_on_disk;
+  ReadText text = whole_file;
 };
 
 // What is found, each once, in the order of the table. `stop` is polled; nothing: it said so.

@@ -1,12 +1,11 @@
 #include "cli/lsp/analysis.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "cli/describe/scene_findings.h"
 #include "cli/frame/job.h"
+#include "tracer/base/whole_file.h"
 
 namespace fs = std::filesystem;
 
@@ -47,10 +46,7 @@ fs::path normal(const fs::path& path) {
 Snapshot::File Analysis::file(const fs::path& path) const {
   if (path.empty() || (root.path.empty() && path == root.uri)) return {root.text, root.version};
   if (const auto open = snapshot->files.find(path); open != snapshot->files.end()) return open->second;
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (stream) text << stream.rdbuf();
-  return {std::make_shared<const Text>(std::move(text).str()), 0};
+  return {std::make_shared<const Text>(whole_file(path).value_or("")), 0};
 }
 
 std::shared_ptr<Analysis> analyse(const Options& options, const Root& root, std::shared_ptr<const Snapshot> snapshot,
@@ -121,11 +117,6 @@ void Analyst::forget(const std::string& key) {
   const std::lock_guard lock(mutex_);
   wishes_.erase(key);
   if (running_ == key) cancel_ = true;
-}
-
-void Analyst::wait() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return end_ || (wishes_.empty() && running_.empty()); });
 }
 
 // Lints come with what is wrong where they are found at once, and behind it where they take longer.

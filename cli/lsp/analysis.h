@@ -84,8 +84,6 @@ class Analyst {
   // Reads a scene when nothing has changed for a moment; what is under way for the same scene ends.
   void want(const Root& root, std::shared_ptr<const Snapshot> snapshot);
   void forget(const std::string& key);
-  // Returns when nothing is left to do.
-  void wait();
 
  private:
   struct Wish {

@@ -11,25 +11,18 @@
 #include <fstream>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "cli/describe/dump.h"
 #include "cli/describe/object_names.h"
 #include "cli/lsp/features.h"
+#include "tracer/base/whole_file.h"
 
 namespace fs = std::filesystem;
 extern char** environ;
 
 namespace verisim::cli::lsp {
 namespace {
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
-}
 
 // Renders that are under way.
 std::mutex running_mutex;
@@ -121,7 +114,7 @@ Json render_command(const fs::path& program, const Options& options, const Root&
   std::error_code ignored;
   fs::remove(picture, ignored);
   const int status = run(program.string(), words, in, messages);
-  Json result{{"status", status}, {"messages", text_of(messages)}};
+  Json result{{"status", status}, {"messages", whole_file(messages).value_or("")}};
   if (fs::exists(picture, ignored)) result["picture"] = picture.string(), result["uri"] = uri_of(picture);
   return result;
 }

@@ -1,12 +1,10 @@
 #include "cli/lsp/workspace.h"
 
-#include <fstream>
-#include <sstream>
-
 #include "cli/describe/including_scene.h"
 #include "cli/settings/reading/configuration.h"
 #include "parser/source/standard_includes.h"
 #include "parser/source/suggest.h"
+#include "tracer/base/whole_file.h"
 
 namespace fs = std::filesystem;
 
@@ -19,11 +17,7 @@ constexpr std::uintmax_t kLargestFile = 64u << 20;
 std::optional<std::string> read_file(const fs::path& path) {
   std::error_code failed;
   if (fs::file_size(path, failed) > kLargestFile || failed) return std::nullopt;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return std::nullopt;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
+  return whole_file(path);
 }
 
 bool is_include(const fs::path& path) {

@@ -52,29 +52,6 @@ void validate(const Options& options) {
     throw OptionError("Real_Time_Raytracing (+RTR) draws into a window and writes no file; verisim has no window");
 }
 
-const char* extension(image::Format format) {
-  switch (format) {
-    case image::Format::png:
-      return ".png";
-    case image::Format::tga:
-    case image::Format::tga_rle:
-      return ".tga";
-    case image::Format::ppm:
-      return ".ppm";
-    case image::Format::bmp:
-      return ".bmp";
-    case image::Format::jpeg:
-      return ".jpg";
-    case image::Format::exr:
-      return ".exr";
-    case image::Format::hdr:
-      return ".hdr";
-    case image::Format::tiff:
-      return ".tif";
-  }
-  return "";
-}
-
 std::optional<image::Format> format_of_extension(const std::string& text) {
   std::string lower = text;
   std::transform(lower.begin(), lower.end(), lower.begin(),
@@ -83,7 +60,7 @@ std::optional<image::Format> format_of_extension(const std::string& text) {
   if (lower == ".tiff") return image::Format::tiff;
   for (image::Format format : {image::Format::png, image::Format::tga, image::Format::ppm, image::Format::bmp,
                                image::Format::jpeg, image::Format::exr, image::Format::hdr, image::Format::tiff})
-    if (lower == extension(format)) return format;
+    if (lower == image::extension_of(format)) return format;
   return std::nullopt;
 }
 

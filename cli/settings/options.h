@@ -115,8 +115,6 @@ struct Options {
 // Throws OptionError when settings contradict each other or ask for what verisim does not have.
 void validate(const Options& options);
 
-// The file name extension of a format, with its dot.
-const char* extension(image::Format format);
 // The format an extension stands for (with its dot, any case).
 std::optional<image::Format> format_of_extension(const std::string& extension);
 

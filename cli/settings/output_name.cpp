@@ -54,7 +54,7 @@ OutputName output_name(const Options& options, const fs::path& scene, const Anim
     result.standard_error = true;
     return result;
   }
-  const std::string ext = extension(options.format);
+  const std::string ext = image::extension_of(options.format);
   std::string name = options.output_file;
   std::string folder = scene.parent_path().string();  // without a name the picture lies beside the scene
   if (folder == "/dev" || folder.starts_with("/dev/") || folder.starts_with("/proc/")) folder.clear();  // of streams

@@ -1,7 +1,6 @@
 #include "cli/view/lecture.h"
 
 #include <chrono>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -16,6 +15,7 @@
 #include "cli/settings/reading/switches.h"
 #include "compare/bounded_json.h"
 #include "compare/report/display.h"
+#include "tracer/base/whole_file.h"
 #include "tracer/render/explain.h"
 
 namespace fs = std::filesystem;
@@ -137,14 +137,6 @@ const char* type_of(const fs::path& file) {
   return found == types.end() ? "application/octet-stream" : found->second;
 }
 
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in) throw std::runtime_error(fmt::format("cannot read '{}'", file.string()));
-  return bytes.str();
-}
-
 }  // namespace
 
 fs::path lecture_folder() {
@@ -160,7 +152,7 @@ void serve_lecture(Server& server, const fs::path& folder, const Options& option
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     const fs::path file = entry.path();
-    const auto answer = [file](const PageRequest&) { return PageReply{type_of(file), content(file)}; };
+    const auto answer = [file](const PageRequest&) { return PageReply{type_of(file), required_file(file)}; };
     server.on(fs::relative(file, folder).generic_string(), answer);
     if (file.filename() == "index.html" && file.parent_path() == folder) server.on("", answer);
   }

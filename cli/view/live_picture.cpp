@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -13,6 +11,7 @@
 #include "cli/rays/ray_tree.h"
 #include "cli/describe/stored_pixel.h"
 #include "cli/rays/ray_drawing.h"
+#include "tracer/base/whole_file.h"
 #include "tracer/render/explain.h"
 
 namespace fs = std::filesystem;
@@ -28,14 +27,6 @@ nlohmann::json plain_error(const std::string& message) {
   parser::Diagnostic d;
   d.message = message;
   return as_json(d);
-}
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw std::runtime_error(fmt::format("cannot read '{}'", file.string()));
-  return text.str();
 }
 
 }  // namespace
@@ -129,7 +120,7 @@ bool LivePicture::parse(const Wish& wish) {
   auto parsed = std::make_shared<Parsed>();
   std::string text;
   try {
-    text = read_text(scene_);
+    text = required_file(scene_);
     const Job job{options_, console_, interrupt_, {scene_, {}}, animation_};
     parser::ParseOptions parse = parse_options(job, {animation_.frame(0).number, wish.clock});
     parse.clock_on = true;

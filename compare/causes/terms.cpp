@@ -354,21 +354,6 @@ class Terms {
         changed_light(key.second, before, it->second);
   }
 
-  // Highlights are a part of what lights add.
-  bool only_highlights() const {
-    Pixels change(c_.size());
-    double all = 0;
-    for (const auto& [key, after] : is_)
-      if (const auto it = was_.find(key); it != was_.end() && (key.first == "light" || key.first == "highlights"))
-        for (std::size_t i = 0; i < c_.size(); ++i)
-          for (std::size_t k = 0; k < 3; ++k)
-            change[i][k] += (key.first == "light" ? 1.0f : -1.0f) * (after[i][k] - it->second[i][k]);
-    for (const auto& [key, after] : is_)
-      if (const auto it = was_.find(key); it != was_.end() && key.first == "highlights")
-        all = squares(minus(after, it->second));
-    return all > 0 && squares(change) < 0.1 * all;
-  }
-
   void changed_light(const std::string& name, const Pixels& before, const Pixels& after) {
     constexpr double kShadow = 0.5;
     const Pixels change = minus(after, before);

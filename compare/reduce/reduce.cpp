@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "compare/reduce/messages.h"
 #include "compare/reduce/reducer.h"
+#include "tracer/base/whole_file.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;
@@ -25,10 +24,7 @@ constexpr int kAtATime = 12;  // POV-Ray sleeps for 0.8 s of a small scene
 std::optional<std::string> text_of_file(const fs::path& file, std::uintmax_t limit) {
   std::error_code failed;
   if (!fs::is_regular_file(file, failed) || fs::file_size(file, failed) > limit || failed) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream out;
-  out << in.rdbuf();
-  return in ? std::optional(out.str()) : std::nullopt;
+  return whole_file(file);
 }
 
 bool chooses_part(const std::vector<std::string>& switches) {

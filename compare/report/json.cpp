@@ -195,7 +195,6 @@ LowPass low_pass_from(const nlohmann::json& json) { return {json.at("mad"), json
 
 nlohmann::json to_json(const Metrics& metrics) { return metrics_as<nlohmann::json>(metrics); }
 nlohmann::json to_json(const SceneResult& scene) { return scene_as<nlohmann::json>(scene); }
-nlohmann::json to_json(const Summary& summary) { return summary_as<nlohmann::json>(summary); }
 
 namespace {
 

@@ -9,7 +9,6 @@ namespace verisim::compare {
 
 nlohmann::json to_json(const Metrics& metrics);
 nlohmann::json to_json(const SceneResult& scene);
-nlohmann::json to_json(const Summary& summary);
 
 // What a report kept of a scene: name, size, class, status, reason, metrics, seconds and rays. Throws
 // nlohmann::json::exception on anything else.

@@ -2,6 +2,6 @@
 #pragma once
 
 #include "parser/parse.h"
-#include "parser/scene/shapes/mesh_arrays.h"
+#include "parser/scene/shapes/mesh/mesh_arrays.h"
 #include "parser/source/standard_includes.h"
 #include "verisim/tracer.h"

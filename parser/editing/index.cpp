@@ -176,24 +176,4 @@ std::vector<NameUse> NameIndex::same_name(std::string_view name, std::size_t off
   return found;
 }
 
-NameIndex::Call NameIndex::call_at(std::size_t offset) const {
-  const Tokens& tokens = file_->tokens;
-  std::size_t i = 0;
-  while (i < tokens.size() && tokens[i].offset < offset && tokens[i].kind != TokenKind::end) ++i;
-  Call call;
-  int closed = 0;
-  while (i-- > 0) {
-    const char c = tokens[i].punctuation;
-    if (tokens[i].kind == TokenKind::directive || c == ';') return {};
-    if (c == ')' || c == '}' || c == ']') ++closed;
-    if (c == ',' && !closed) ++call.argument;
-    if ((c == '(' || c == '{' || c == '[') && closed-- == 0) {
-      if (c != '(' || !i || tokens[i - 1].kind != TokenKind::identifier) return {};
-      call.name = (*names_)[tokens[i - 1].id()].text;
-      return call;
-    }
-  }
-  return {};
-}
-
 }  // namespace verisim::parser

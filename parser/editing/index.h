@@ -54,12 +54,6 @@ class NameIndex {
   // Where a name means the same as at the offset, in the order of the text. A name that this file does not declare is
   // global.
   std::vector<NameUse> same_name(std::string_view name, std::size_t offset) const;
-  // The macro call around an offset and which of its arguments that is in; the name is empty: none.
-  struct Call {
-    std::string_view name;
-    std::size_t argument = 0;
-  };
-  Call call_at(std::size_t offset) const;
   const TokenFile& tokens() const { return *file_; }
 
  private:

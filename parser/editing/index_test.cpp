@@ -28,15 +28,7 @@ TEST(NameIndex, ReadsBrokenFiles) {
   const NameIndex index(text);
   EXPECT_NE(index.meaning("A", 0), nullptr);
   EXPECT_NE(index.meaning("B", 0), nullptr);
-  for (std::size_t i = 0; i < text.size(); ++i) NameIndex(text.substr(0, i)).call_at(i);
-}
-
-TEST(NameIndex, FindsTheCallAround) {
-  const std::string text = "#macro M(A, B) #end\nM(1, <2, 3>)";
-  const NameIndex index(text);
-  const NameIndex::Call call = index.call_at(text.find("<2"));
-  EXPECT_EQ(call.name, "M");
-  EXPECT_EQ(call.argument, 1u);
+  for (std::size_t i = 0; i < text.size(); ++i) NameIndex(text.substr(0, i)).use_at(i);
 }
 
 }  // namespace

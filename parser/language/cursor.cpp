@@ -133,7 +133,6 @@ void Parser::Impl::missing_surface(std::string_view what) {
 // ---- The public face ----
 
 const Token& Parser::peek() { return impl_->peek_item(); }
-const Token& Parser::peek_blocked() { return impl_->peek_blocked(); }
 
 Token Parser::next() {
   const Token token = impl_->peek_item();
@@ -147,7 +146,6 @@ bool Parser::at(Word word) {
 }
 
 bool Parser::at(char punctuation) { return impl_->peek_item().punctuation == punctuation; }
-bool Parser::at_end() { return impl_->peek_item().kind == TokenKind::end; }
 
 bool Parser::accept(Word word) {
   if (!at(word)) return false;

@@ -192,6 +192,7 @@ struct Parser::Impl {
 
   // ---- macros.cpp ----
   void define_macro(const Token& token);
+  Token take_own_name(const char* what);
   void call_macro(Symbol& symbol);
   void macro_argument();  // pushes one on `arguments`
 
@@ -205,6 +206,7 @@ struct Parser::Impl {
   void open_search(std::filesystem::path scene_folder);
   void end_if_failed() const;  // a scene with errors does nothing more than to name them: called before it writes
   void fopen();
+  std::shared_ptr<FileHandle> opened_file(const Token& name);  // of a name that was just taken
   void fclose();
   void read();
   void write();
@@ -280,6 +282,20 @@ struct Parser::Impl {
     ready = false;
   }
   bool ends_expression(const Token& token, bool in_full_expression) const;
+  // What cannot follow an operand: an expression ends before it. Macros may yield anything, unless they are `kept`.
+  bool begins_operand(const Token& token, bool macros_are_kept) const {
+    switch (token.kind) {
+      case TokenKind::identifier:
+        return macros_are_kept || !names[token.id()].symbol || !names[token.id()].symbol->is_macro;
+      case TokenKind::word:
+      case TokenKind::number:
+      case TokenKind::vector:
+      case TokenKind::string:
+        return true;
+      default:
+        return false;
+    }
+  }
   bool literal_vector(std::size_t terms, double* out);  // of that many literal numbers; false: nothing consumed
   bool literal(bool in_full_expression, Numeric& out);  // a number or vector on its own; false: nothing consumed
 

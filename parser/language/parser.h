@@ -31,12 +31,9 @@ class Parser {
 
   // ---- Cursor. Tokens are compared by `Word` (keyword) or by punctuation character. ----
   const Token& peek();  // the next token after executing directives and expanding macros
-  const Token&
-  peek_blocked();  // the next token as written: no directive, no macro (spec 01 section 4, blocked positions)
   Token next();
   bool at(Word word);  // peek() is this keyword
   bool at(char punctuation);
-  bool at_end();           // end of the main file
   bool accept(Word word);  // at() and consume
   bool accept(char punctuation);
   void expect(Word word);  // accept or error "Expected 'x', y found instead"
@@ -78,7 +75,6 @@ class Parser {
   // function { ... } and friends; the keyword `function` is already consumed (spec 01 section 23).
   FunctionPtr parse_function_body();
   FunctionPtr parse_function_or_identifier();
-  Shared<Spline> parse_spline_body();
 
   // ---- Messages ----
   // At the value read last when the code is about values, else at the last token read.

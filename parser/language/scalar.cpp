@@ -116,28 +116,17 @@ bool Parser::Impl::declare_fast(bool local) {
 // The expression ends before this token: no operator, component, directive or macro can continue it. A '>' closes a
 // vector unless comparisons are allowed.
 bool Parser::Impl::ends_expression(const Token& token, bool in_full_expression) const {
-  switch (token.kind) {
-    case TokenKind::punctuation:
-      switch (token.punctuation) {
-        case ',':
-        case ';':
-        case ')':
-        case '}':
-        case ']':
-        case '{':
-          return true;
-        case '>':
-          return !in_full_expression;
-        default:
-          return false;
-      }
-    case TokenKind::identifier:
-      return blocked || !names[token.id()].symbol || !names[token.id()].symbol->is_macro;
-    case TokenKind::word:
-    case TokenKind::number:
-    case TokenKind::vector:
-    case TokenKind::string:
+  if (token.kind != TokenKind::punctuation) return begins_operand(token, blocked);
+  switch (token.punctuation) {
+    case ',':
+    case ';':
+    case ')':
+    case '}':
+    case ']':
+    case '{':
       return true;
+    case '>':
+      return !in_full_expression;
     default:
       return false;
   }

@@ -76,19 +76,8 @@ class Scanner {
   // it, or a component follows.
   bool ends() const {
     if (macros_) return false;
-    switch (at_->kind) {
-      case TokenKind::punctuation:
-        return at_->punctuation != '.' && at_->punctuation != '[';
-      case TokenKind::identifier:
-        return blocked_ || !p_.names[at_->id()].symbol || !p_.names[at_->id()].symbol->is_macro;
-      case TokenKind::word:
-      case TokenKind::number:
-      case TokenKind::vector:
-      case TokenKind::string:
-        return true;
-      default:
-        return false;
-    }
+    if (at_->kind == TokenKind::punctuation) return at_->punctuation != '.' && at_->punctuation != '[';
+    return p_.begins_operand(*at_, blocked_);
   }
 
   void advance() {

@@ -9,10 +9,7 @@
 namespace verisim::parser {
 
 Color parse_background(Parser& parser) {
-  Block block(parser);
-  const Color color = parser.at('}') ? Color() : parser.parse_color();
-  block.close();
-  return color;
+  return in_block(parser, [&] { return parser.at('}') ? Color() : parser.parse_color(); });
 }
 
 scene::Fog parse_fog(Parser& parser) {

@@ -1,4 +1,6 @@
 // bounded_by { ... } and clipped_by { ... } (spec 03 sections 6.2 and 6.3).
+#include <fmt/format.h>
+
 #include "parser/scene/objects.h"
 #include "parser/scene/common/nesting.h"
 #include "parser/scene/common/transform.h"
@@ -66,35 +68,38 @@ std::vector<ObjectPtr> parse_objects(Parser& parser) {
   return objects;
 }
 
-}  // namespace
-
-// A link to a list that is still empty is none: both lists can be written later.
-void parse_bounded_by(Parser& parser, Object& object) {
+// What bounded_by and clipped_by have in common; `other` is the word of the other one, which links the two lists. A
+// link to a list that is still empty is none: both lists can be written later.
+struct Guard {
+  const char* plural;
+  Word other;
+  const char* other_plural;
+};
+void parse_guard(Parser& parser, Object& object, const Guard& guard, scene::List<ObjectPtr>& own,
+                 const scene::List<ObjectPtr>& others) {
   const Parser::Depth depth(parser);
   open_block(parser);
-  if (parser.accept(Word::clipped_by)) {
-    if (!object.bounded_by.empty()) parser.error(Code::incompatible, "Cannot link clips with previous bounds.");
-    object.bounded_by = object.clipped_by;
-    object.clip_is_bound = !object.clipped_by.empty();
+  if (parser.accept(guard.other)) {
+    if (!own.empty())
+      parser.error(Code::incompatible,
+                   fmt::format("Cannot link {} with previous {}.", guard.other_plural, guard.plural));
+    own = others;
+    object.clip_is_bound = !others.empty();
     close_block(parser);
     return;
   }
-  if (object.clip_is_bound) parser.error(Code::incompatible, "Cannot add bounds after linking bounds and clips.");
-  for (ObjectPtr& bound : parse_objects(parser)) object.bounded_by.push_back(std::move(bound));
+  if (object.clip_is_bound)
+    parser.error(Code::incompatible, fmt::format("Cannot add {} after linking bounds and clips.", guard.plural));
+  for (ObjectPtr& item : parse_objects(parser)) own.push_back(std::move(item));
 }
 
+}  // namespace
+
+void parse_bounded_by(Parser& parser, Object& object) {
+  parse_guard(parser, object, {"bounds", Word::clipped_by, "clips"}, object.bounded_by, object.clipped_by);
+}
 void parse_clipped_by(Parser& parser, Object& object) {
-  const Parser::Depth depth(parser);
-  open_block(parser);
-  if (parser.accept(Word::bounded_by)) {
-    if (!object.clipped_by.empty()) parser.error(Code::incompatible, "Cannot link bounds with previous clips.");
-    object.clipped_by = object.bounded_by;
-    object.clip_is_bound = !object.bounded_by.empty();
-    close_block(parser);
-    return;
-  }
-  if (object.clip_is_bound) parser.error(Code::incompatible, "Cannot add clips after linking bounds and clips.");
-  for (ObjectPtr& clip : parse_objects(parser)) object.clipped_by.push_back(std::move(clip));
+  parse_guard(parser, object, {"clips", Word::bounded_by, "bounds"}, object.clipped_by, object.bounded_by);
 }
 
 }  // namespace verisim::parser

@@ -11,9 +11,7 @@ void parse_default(Parser& parser) {
   parser.expect('{');
   for (;;) {
     if (parser.at(Word::texture)) {
-      Block block(parser);
-      const scene::TexturePtr texture = parse_texture_body(parser, true);
-      block.close();
+      const scene::TexturePtr texture = in_block(parser, [&] { return parse_texture_body(parser, true); });
       if (texture->patterned()) parser.error(Code::incompatible, "Default texture cannot be material map or tiles.");
       if (texture->layers.size() > 1) parser.error(Code::incompatible, "Default texture cannot be layered.");
       parser.default_texture() = texture;

@@ -6,7 +6,7 @@
 #include <clocale>
 
 #include "parser/language/test_support.h"
-#include "parser/scene/shapes/mesh_arrays.h"
+#include "parser/scene/shapes/mesh/mesh_arrays.h"
 
 namespace verisim::parser {
 namespace {

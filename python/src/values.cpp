@@ -6,7 +6,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include "parser/scene/shapes/mesh_arrays.h"
+#include "parser/scene/shapes/mesh/mesh_arrays.h"
 
 namespace py = pybind11;
 

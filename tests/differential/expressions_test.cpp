@@ -2,23 +2,16 @@
 // not installed.
 //
 // VERISIM_EXPRESSIONS sets how many (300), VERISIM_SEED where the generator starts (1).
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "parser/parse.h"
 #include "tests/differential/settings.h"
+#include "tests/differential/written_by_both.h"
 
 namespace verisim {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Expressions that cannot fail: no domain errors, no widths that do not fit. Components POV-Ray leaves unspecified are
 // avoided.
@@ -217,9 +210,9 @@ std::string preamble() {
          "#declare S = spline { cubic_spline 0,<0,1,2> 1,<3,2,1> 2,<1,1,5> 3,<0,-1,0> }\n#fopen O \"out.txt\" write\n";
 }
 
-std::vector<std::string> lines_of(const fs::path& path) {
+std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
-  std::ifstream in(path);
+  std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
     // The sign of NaN is the compiler's business (spec 01 section 29).
     for (std::size_t at; (at = line.find("-nan")) != std::string::npos;) line.erase(at, 1);
@@ -229,11 +222,7 @@ std::vector<std::string> lines_of(const fs::path& path) {
 }
 
 TEST(Differential, Expressions) {
-  if (std::system("command -v povray > /dev/null 2>&1") != 0)
-    GTEST_SKIP() << "POV-Ray is not installed (package povray)";
-  const fs::path folder = fs::temp_directory_path() / ("verisim_expressions_" + std::to_string(::getpid()));
-  fs::create_directories(folder / "povray");
-  fs::create_directories(folder / "verisim");
+  if (!has_povray()) GTEST_SKIP() << "POV-Ray is not installed (package povray)";
   const int count = setting("VERISIM_EXPRESSIONS", 300);
   Generator generator(static_cast<unsigned>(setting("VERISIM_SEED", 1)));
   std::vector<std::string> expressions;
@@ -243,17 +232,10 @@ TEST(Differential, Expressions) {
     scene += "#declare Value = " + expressions.back() + ";\n#write(O, vstr(5, Value, \" \", 0, 16), \"\\n\")\n";
   }
   scene += "#fclose O\n";
-  std::ofstream(folder / "scene.pov") << scene;
-  const std::string command = "cd '" + (folder / "povray").string() + "' && HOME='" + folder.string() +
-                              "' timeout 120 povray +I../scene.pov +Oo.png -D -F +W1 +H1 -A -GA +WT1 > log.txt 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0) << "POV-Ray rejects the scene: see " << folder;
-  const fs::path before = fs::current_path();
-  fs::current_path(folder / "verisim");
-  const parser::ParseResult result = parser::parse_file(folder / "scene.pov", {});
-  fs::current_path(before);
-  ASSERT_TRUE(result.errors.empty()) << parser::format(result.errors.front());
-  const std::vector<std::string> expected = lines_of(folder / "povray" / "out.txt"),
-                                 actual = lines_of(folder / "verisim" / "out.txt");
+  WrittenByBoth written;
+  run_by_both(scene, "expressions", written);
+  if (HasFatalFailure()) return;
+  const std::vector<std::string> expected = lines_of(written.povray), actual = lines_of(written.verisim);
   ASSERT_EQ(expected.size(), expressions.size());
   ASSERT_EQ(actual.size(), expressions.size());
   int different = 0;
@@ -263,7 +245,6 @@ TEST(Differential, Expressions) {
       ADD_FAILURE() << expressions[i] << "\n  POV-Ray " << expected[i] << "\n  verisim " << actual[i];
   }
   EXPECT_EQ(different, 0) << "of " << count;
-  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -1,23 +1,15 @@
 // Random programs of SDL - loops, branches, switches, macros, arrays, strings, scopes - run by POV-Ray and by verisim;
 // what they write is compared character by character. Skips when POV-Ray is not installed. VERISIM_PROGRAM_STATEMENTS
 // sets how long they are (400), VERISIM_SEED where the generator starts (1).
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 #include <random>
 #include <string>
 
-#include "parser/parse.h"
 #include "tests/differential/settings.h"
+#include "tests/differential/written_by_both.h"
 
 namespace verisim {
 namespace {
-
-namespace fs = std::filesystem;
 
 class ProgramGenerator {
  public:
@@ -183,33 +175,18 @@ class ProgramGenerator {
   std::mt19937 random_;
 };
 
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 TEST(Differential, Programs) {
-  if (std::system("command -v povray > /dev/null 2>&1") != 0)
-    GTEST_SKIP() << "POV-Ray is not installed (package povray)";
-  const fs::path folder = fs::temp_directory_path() / ("verisim_programs_" + std::to_string(::getpid()));
-  fs::create_directories(folder / "povray");
-  fs::create_directories(folder / "verisim");
-  std::ofstream(folder / "scene.pov") << ProgramGenerator(static_cast<unsigned>(setting("VERISIM_SEED", 1)))
-                                             .program(setting("VERISIM_PROGRAM_STATEMENTS", 400));
-  const std::string command = "cd '" + (folder / "povray").string() + "' && HOME='" + folder.string() +
-                              "' timeout 120 povray +I../scene.pov -D -F +W1 +H1 > log.txt 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0) << "POV-Ray rejects the scene: see " << folder;
-  const fs::path before = fs::current_path();
-  fs::current_path(folder / "verisim");
-  const parser::ParseResult result = parser::parse_file(folder / "scene.pov", {});
-  fs::current_path(before);
-  ASSERT_TRUE(result.errors.empty()) << parser::format(result.errors.front());
-  const std::string expected = text_of(folder / "povray" / "out.txt"), actual = text_of(folder / "verisim" / "out.txt");
+  if (!has_povray()) GTEST_SKIP() << "POV-Ray is not installed (package povray)";
+  WrittenByBoth written;
+  run_by_both(ProgramGenerator(static_cast<unsigned>(setting("VERISIM_SEED", 1)))
+                  .program(setting("VERISIM_PROGRAM_STATEMENTS", 400)),
+              "programs", written);
+  if (HasFatalFailure()) return;
+  const std::string &expected = written.povray, &actual = written.verisim;
   ASSERT_GT(expected.size(), 1000u);
   const auto at = std::mismatch(expected.begin(), expected.end(), actual.begin(), actual.end()).first;
   EXPECT_EQ(expected, actual) << "first difference behind: "
                               << std::string(at - std::min<std::ptrdiff_t>(at - expected.begin(), 300), at);
-  fs::remove_all(folder);
 }
 
 }  // namespace

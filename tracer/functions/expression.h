@@ -100,6 +100,5 @@ struct Node {
 FunctionPtr compile(const Node& root, int parameters, int slots);
 // internal(n); throws std::invalid_argument for n out of range. The noise generator is fixed at creation.
 FunctionPtr internal_function(int n, int noise_generator);
-int internal_function_parameters(int n);
 
 }  // namespace verisim::functions

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 #include "tracer/functions/test_support.h"
 
 namespace verisim::functions {

@@ -15,6 +15,7 @@
 namespace verisim::image {
 
 enum class Format : std::uint8_t { png, tga, tga_rle, ppm, bmp, jpeg, exr, hdr, tiff };
+const char* extension_of(Format format);  // with the dot, as POV-Ray names files
 enum class Dither : std::uint8_t { none, bayer2, bayer3, bayer4, diffusion1d, diffusion2d, floyd_steinberg };
 
 struct OutputOptions {

@@ -1,3 +1,4 @@
+// What goes wrong while functions and textures are evaluated on a thread of a render: its limits, or a request to stop.
 #pragma once
 
 #include "tracer/functions/evaluation_budget.h"

@@ -25,8 +25,6 @@ VERISIM_SHAPES(VERISIM_SHAPE)
 #undef VERISIM_SHAPE
 static_assert(names_fields<Quadric>());
 
-// Children, clips and bounds belong to one tree only (see copy), so they may be changed in place; a node that is shared
-// after all is copied first.
 using Step = TransformStep::Step;
 
 // a, then a translation: the digits of the product of the matrices, without its many terms that are zero.

@@ -156,8 +156,6 @@ class Shape : public scene::Solid {
   const Surface* surface = nullptr;
 };
 
-using ShapePtr = std::unique_ptr<const Shape>;
-
 struct CompileOptions {
   bool remove_bounds =
       false;  // drop the bounded_by of this object (not of children) where POV-Ray does so at frame level (spec 03 6.2)

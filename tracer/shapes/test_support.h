@@ -95,6 +95,23 @@ inline void expect_march(const ObjectRef& object, const Vec3& origin, const Vec3
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "hit " << i;
 }
 
+inline void expect_uv(const ObjectRef& object, const Vec3& origin, const Vec3& direction, const Vec2& uv) {
+  const auto shape = compile(*object);
+  Hit hit;
+  ASSERT_TRUE(shape->intersect({origin, direction}, RayKind::camera, 1e-4, 1e7, hit));
+  EXPECT_NEAR(shape->uv(hit).x, uv.x, 1e-5);
+  EXPECT_NEAR(shape->uv(hit).y, uv.y, 1e-5);
+}
+
+// Everything is asked of an object of any numbers: nothing crashes or hangs, whatever the answers are.
+inline void ask_everything(const ObjectRef& object) {
+  const auto shape = compile(*object);
+  HitList hits;
+  shape->intersect_all({{0.1, 0.2, -5}, {0, 0, 1}}, RayKind::camera, hits);
+  for (const Hit& hit : hits) hit.shape->normal(hit);
+  shape->inside({0.1, 0.2, 0.3});
+}
+
 inline bool inside(const ObjectRef& object, const Vec3& p) { return query::Target(object).inside(p); }
 
 inline void expect_extent(const ObjectRef& object, const Vec3& low, const Vec3& high) {

@@ -1,3 +1,5 @@
+// Holds the flat tree of a CSG object (csg/csg_tree.h), which is made when the first ray asks for it: most objects of a
+// large scene are never met, or only as parts of others' trees. Any number of threads may ask at once.
 #pragma once
 
 #include <atomic>
@@ -7,15 +9,13 @@ namespace verisim::shapes {
 
 class CsgTree;
 
-// The tree of an object, made when the first ray asks: most objects of a large scene are never met, or only as parts of
-// others' trees.
 class TreeOnDemand {
  public:
   TreeOnDemand() = default;
   TreeOnDemand(const TreeOnDemand&) = delete;
   ~TreeOnDemand();
 
-  // make() is CsgTree::of with the arguments of the object.
+  // make() is CsgTree::of with the arguments of the object; null, for good: it gave none.
   template <class Make>
   const CsgTree* get(Make&& make) const {
     if (!known_.load(std::memory_order_acquire)) [[unlikely]]

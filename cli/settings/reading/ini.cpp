@@ -1,13 +1,12 @@
 #include "cli/settings/reading/ini.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "cli/settings/reading/switches.h"
 #include "cli/settings/text.h"
+#include "tracer/base/whole_file.h"
 
 namespace fs = std::filesystem;
 
@@ -232,19 +231,16 @@ void apply_ini_file(Options& options, std::string_view name) {
   if (fs::is_directory(path, error)) throw OptionError(fmt::format("'{}' is a folder, not an INI file", path.string()));
   if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMaxBytes)
     throw OptionError(fmt::format("'{}' is too large for an INI file", path.string()));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw OptionError(fmt::format("cannot read the INI file '{}'", path.string()));
+  const std::optional<std::string> text = whole_file(path);
+  if (!text) throw OptionError(fmt::format("cannot read the INI file '{}'", path.string()));
   if (nesting >= kMaxNesting)
     throw OptionError(
         fmt::format("INI files include each other more than {} deep at '{}'", kMaxNesting, path.string()));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (text.bad() || stream.bad()) throw OptionError(fmt::format("cannot read the INI file '{}'", path.string()));
   struct Nest {
     Nest() { ++nesting; }
     ~Nest() { --nesting; }
   } nest;
-  apply_ini_text(options, text.str(), section, path.string());
+  apply_ini_text(options, *text, section, path.string());
 }
 
 void apply_ini_text(Options& options, std::string_view text, std::string_view section, std::string_view source) {

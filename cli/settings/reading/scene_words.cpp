@@ -63,7 +63,7 @@ void choose_format(Options& options) {
     if (const auto format = format_of_extension(std::filesystem::path(options.output_file).extension().string())) {
       options.format = *format;
       // Both spellings of JPEG and TIFF are fine, and the name stays as it is.
-      if (!options.output_file.ends_with(extension(*format))) options.exact_output = options.output_file;
+      if (!options.output_file.ends_with(image::extension_of(*format))) options.exact_output = options.output_file;
     }
   }
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
@@ -11,6 +10,7 @@
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/programs/program_call.h"
+#include "tracer/base/whole_file.h"
 
 namespace verisim::compare {
 namespace {
@@ -85,11 +85,11 @@ TagSource tags_of_program(const std::filesystem::path& program) {
     for (const auto& [x, y] : trees)
       process.arguments.insert(process.arguments.end(), {"--tree", fmt::format("{},{}", x, y)});
     const ProcessResult run = run_process(process);
-    std::ifstream in(file);
-    if (!run.succeeded() || !in)
+    const std::optional<std::string> tags = run.succeeded() ? whole_file(file) : std::nullopt;
+    if (!tags)
       throw std::runtime_error(
           fmt::format("the pixels could not be explained: {}", run.how_it_ended(request.time_limit)));
-    return tags_from_json({std::istreambuf_iterator<char>(in), {}});
+    return tags_from_json(*tags);
   };
 }
 

@@ -167,16 +167,19 @@ bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
   return true;
 }
 
+std::shared_ptr<FileHandle> Parser::Impl::opened_file(const Token& name) {
+  Symbol* const symbol = name.kind == TokenKind::identifier ? names[name.id()].symbol : nullptr;
+  if (symbol)
+    if (const auto* handle = std::get_if<std::shared_ptr<FileHandle>>(&symbol->value())) return *handle;
+  --position;
+  ready = true;
+  error(Code::wrong_type, fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
+}
+
 void Parser::Impl::read() {
   if (take_raw().punctuation != '(') error(Code::unexpected_token, "Expected '(' behind #read.");
   const Token name = take_raw();
-  Symbol* file_symbol = name.kind == TokenKind::identifier ? names[name.id()].symbol : nullptr;
-  if (!file_symbol || !std::holds_alternative<std::shared_ptr<FileHandle>>(file_symbol->value())) {
-    --position;
-    ready = true;
-    error(Code::wrong_type, fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
-  }
-  const auto handle = std::get<std::shared_ptr<FileHandle>>(file_symbol->value());
+  const std::shared_ptr<FileHandle> handle = opened_file(name);
   if (!handle->input) error(Code::file_failed, "The file is not open for reading.");
   if (peek_blocked().punctuation == ',') skip_token();
   bool open = true;
@@ -229,13 +232,7 @@ void Parser::Impl::write() {
   if (peek().punctuation != '(') expected("(");
   skip_token();
   const Token name = take_raw();
-  Symbol* symbol = name.kind == TokenKind::identifier ? names[name.id()].symbol : nullptr;
-  if (!symbol || !std::holds_alternative<std::shared_ptr<FileHandle>>(symbol->value())) {
-    --position;
-    ready = true;
-    error(Code::wrong_type, fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
-  }
-  const auto handle = std::get<std::shared_ptr<FileHandle>>(symbol->value());
+  const std::shared_ptr<FileHandle> handle = opened_file(name);
   if (!handle->output.is_open()) error(Code::file_failed, "The file is not open for writing.");
   end_if_failed();
   std::ofstream& out = handle->output;

@@ -31,19 +31,22 @@ void require_macros(Parser::Impl& parser) {
                  "The version also counts where macros of include files are called, and where they end.");
 }
 
+// An identifier; of a reserved word it says that it cannot be `what`.
+Token Parser::Impl::take_own_name(const char* what) {
+  const Token name = take_raw();
+  if (name.kind == TokenKind::identifier) return name;
+  if (name.kind == TokenKind::word)
+    error(Code::reserved_word, fmt::format("'{}' is a reserved word: it cannot be {}.", spelling(name.word), what));
+  if (name.kind != TokenKind::end) --position;
+  expected("identifier");
+}
+
 void Parser::Impl::define_macro(const Token& token) {
   require_macros(*this);
   auto macro = std::make_shared<Macro>();
   macro->file = file->shared_from_this();
   macro->definition = index(position) - 1;
-  const Token name = take_raw();
-  if (name.kind != TokenKind::identifier) {
-    if (name.kind == TokenKind::word)
-      error(Code::reserved_word,
-            fmt::format("'{}' is a reserved word: it cannot be the name of a macro.", spelling(name.word)));
-    if (name.kind != TokenKind::end) --position;
-    expected("identifier");
-  }
+  const Token name = take_own_name("the name of a macro");
   macro->name = name.id();
   Symbol* symbol = names[name.id()].symbol;
   if (symbol && !symbol->is_macro && !symbol->is_parameter)
@@ -53,15 +56,7 @@ void Parser::Impl::define_macro(const Token& token) {
   if (peek_blocked().punctuation != '(') expected("(");
   skip_token();
   while (peek_blocked().punctuation != ')') {
-    const Token parameter = take_raw();
-    if (parameter.kind != TokenKind::identifier) {
-      if (parameter.kind == TokenKind::word)
-        error(Code::reserved_word,
-              fmt::format("'{}' is a reserved word: it cannot be a parameter.", spelling(parameter.word)));
-      if (parameter.kind != TokenKind::end) --position;
-      expected("identifier");
-    }
-    macro->parameters.push_back(parameter.id());
+    macro->parameters.push_back(take_own_name("a parameter").id());
     if (peek_blocked().punctuation == ',') skip_token();
   }
   skip_token();

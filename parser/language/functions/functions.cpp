@@ -158,7 +158,6 @@ Shared<Spline> Parser::Impl::spline() {
 // ---- The public face ----
 
 FunctionPtr Parser::parse_function_body() { return impl_->function(); }
-Shared<Spline> Parser::parse_spline_body() { return impl_->spline(); }
 
 FunctionPtr Parser::parse_function_or_identifier() {
   if (accept(Word::function)) return impl_->function();

@@ -28,8 +28,6 @@ bool at_color(Parser& parser) {
 
 bool accept_comma_or_number(Parser& parser) { return parser.accept(',') || parser.at_number_start(); }
 
-Rgb to_rgb(const Color& color) { return color.rgb(); }
-
 float to_float(double value) { return static_cast<float>(value); }
 
 std::size_t checked_count(Parser& parser, double count, std::string_view what, std::size_t item_bytes) {

@@ -23,7 +23,6 @@ bool at_color(Parser& parser);
 // A function block or a number follows an optional comma.
 bool accept_comma_or_number(Parser& parser);
 
-Rgb to_rgb(const Color& color);
 float to_float(double value);
 
 // Checks that a list of `count` items (untrusted) can be stored, before memory is taken for it.
@@ -37,5 +36,13 @@ struct Block {
   Parser::Depth depth;
   scene::SourceLocation place;
 };
+// What `read` makes of all that stands between braces.
+template <class Read>
+auto in_block(Parser& parser, const Read& read) {
+  Block block(parser);
+  auto result = read();
+  block.close();
+  return result;
+}
 
 }  // namespace verisim::parser

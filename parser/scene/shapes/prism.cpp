@@ -11,24 +11,6 @@ using scene::SplineKind;
 
 namespace {
 
-void check_count(Parser& parser, SplineKind spline, std::size_t count) {
-  switch (spline) {
-    case SplineKind::linear:
-      if (count < 3) parser.error(Code::too_few, "Prism with linear splines must have at least three points.");
-      break;
-    case SplineKind::quadratic:
-      if (count < 5) parser.error(Code::too_few, "Prism with quadratic splines must have at least five points.");
-      break;
-    case SplineKind::bezier:
-      if (count < 4 || count % 4 != 0)
-        parser.error(Code::too_few, "Prism with Bezier splines must have four points per segment.");
-      break;
-    default:
-      if (count < 6) parser.error(Code::too_few, "Prism with cubic splines must have at least six points.");
-      break;
-  }
-}
-
 bool same(const Vec2& a, const Vec2& b) { return std::fabs(a.x - b.x) < kEpsilon && std::fabs(a.y - b.y) < kEpsilon; }
 
 // How many outlines there are before one that does not close, and whether that is all of them. A segment is made of
@@ -96,7 +78,7 @@ ObjectRef parse_prism(Parser& parser) {
     parser.optional_comma();
     if (prism->low > prism->high) std::swap(prism->low, prism->high);
     prism->points = parse_points(parser, "prism");
-    check_count(parser, prism->spline, prism->points.size());
+    check_point_count(parser, "Prism", prism->spline, prism->points.size(), {.linear = 3, .quadratic = 5, .cubic = 6});
     check_closed(parser, *prism);
     prism->open = parser.accept(Word::open);
     object.shape = std::shared_ptr<const scene::Prism>(prism);

@@ -1,5 +1,7 @@
 #include "parser/scene/shapes/spline_points.h"
 
+#include <fmt/format.h>
+
 #include "parser/scene/common/common.h"
 
 namespace verisim::parser {
@@ -30,6 +32,28 @@ bool accept_spline_kind(Parser& parser, scene::SplineKind& kind, bool sweep) {
   }
   parser.next();
   return true;
+}
+
+void check_point_count(Parser& parser, std::string_view shape, scene::SplineKind kind, std::size_t count,
+                       const FewestPoints& fewest) {
+  static constexpr const char* kNumbers[] = {"no", "one", "two", "three", "four", "five", "six"};
+  const auto at_least = [&](const char* spline, std::size_t least) {
+    if (count < least)
+      parser.error(Code::too_few,
+                   fmt::format("{} with {} splines must have at least {} points.", shape, spline, kNumbers[least]));
+  };
+  switch (kind) {
+    case scene::SplineKind::linear:
+      return at_least("linear", fewest.linear);
+    case scene::SplineKind::quadratic:
+      return at_least("quadratic", fewest.quadratic);
+    case scene::SplineKind::bezier:
+      if (count < 4 || count % 4 != 0)
+        parser.error(Code::too_few, fmt::format("{} with Bezier splines must have four points per segment.", shape));
+      return;
+    default:
+      return at_least("cubic", fewest.cubic);
+  }
 }
 
 std::vector<Vec2> parse_points(Parser& parser, std::string_view name) {

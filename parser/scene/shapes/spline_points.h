@@ -10,4 +10,12 @@ bool accept_spline_kind(Parser& parser, scene::SplineKind& kind, bool sweep = fa
 // n, <x, y> ...
 std::vector<Vec2> parse_points(Parser& parser, std::string_view name);
 
+// How many points a linear, a quadratic and a cubic spline of a shape have at least.
+struct FewestPoints {
+  std::size_t linear, quadratic, cubic;
+};
+// An error for fewer, or for Bezier segments that are not whole; `shape` begins it.
+void check_point_count(Parser& parser, std::string_view shape, scene::SplineKind kind, std::size_t count,
+                       const FewestPoints& fewest);
+
 }  // namespace verisim::parser

@@ -51,14 +51,12 @@ bool parse_type(Parser& parser, Density& density) {
 bool parse_modifier(Parser& parser, Density& density) {
   switch (word_at(parser)) {
     case Word::color_map:
-      if (refuses_maps(density.pattern.kind) || density.pattern.kind == PatternKind::average)
-        parser.error(Code::incompatible, "Cannot use color_map with this pattern type.");
+      check_takes_map(parser, density.pattern.kind, "color_map", PatternKind::average);
       density.color_map = parse_color_map(parser);
       density.density_map = nullptr;
       return true;
     case Word::density_map:
-      if (refuses_maps(density.pattern.kind))
-        parser.error(Code::incompatible, "Cannot use density_map with this pattern type.");
+      check_takes_map(parser, density.pattern.kind, "density_map");
       density.density_map = parse_density_map(parser, density.pattern.kind == PatternKind::average);
       density.color_map = nullptr;
       return true;
@@ -82,18 +80,12 @@ scene::DensityPtr parse_density_body(Parser& parser) {
   bool changed = parse_type(parser, *density);
   while (parse_modifier(parser, *density)) changed = true;
   if (!changed) return original;
-  if (density->pattern.kind == PatternKind::average && !density->density_map)
-    parser.error(Code::missing_item, "Average must have map.");
-  check_pattern(parser, density->pattern);
-  check_nesting(parser, *density);
+  check_body(parser, *density, static_cast<bool>(density->density_map));
   return density;
 }
 
 scene::DensityPtr parse_density(Parser& parser) {
-  Block block(parser);
-  scene::DensityPtr result = parse_density_body(parser);
-  block.close();
-  return result;
+  return in_block(parser, [&] { return parse_density_body(parser); });
 }
 
 }  // namespace verisim::parser

@@ -1,5 +1,7 @@
 #include "parser/scene/textures/maps.h"
 
+#include <fmt/format.h>
+
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/pattern.h"
 
@@ -63,8 +65,10 @@ void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
 
 }  // namespace
 
-bool refuses_maps(scene::PatternKind kind) {
-  return kind == scene::PatternKind::plain || kind == scene::PatternKind::image_map || list_size(kind) > 0;
+void check_takes_map(Parser& parser, scene::PatternKind kind, const char* map, scene::PatternKind also) {
+  const bool none = kind == scene::PatternKind::plain || kind == scene::PatternKind::image_map || list_size(kind) > 0;
+  if (none || (also != scene::PatternKind::none && kind == also))
+    parser.error(Code::incompatible, fmt::format("Cannot use {} with this pattern type.", map));
 }
 
 Shared<scene::ColorMap> parse_color_map(Parser& parser) {

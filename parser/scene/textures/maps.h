@@ -2,11 +2,14 @@
 #pragma once
 
 #include "parser/language/blocks.h"
+#include "parser/scene/common/nesting.h"
+#include "parser/scene/textures/pattern.h"
 
 namespace verisim::parser {
 
-// Patterns without a map: what has colours of its own, and lists.
-bool refuses_maps(scene::PatternKind kind);
+// An error for patterns without maps (what has colours of its own, and lists) and for the kind `also`.
+void check_takes_map(Parser& parser, scene::PatternKind kind, const char* map,
+                     scene::PatternKind also = scene::PatternKind::none);
 
 // Each with its keyword at the cursor; `weights` for the maps of an `average` pattern, whose numbers may be left out.
 Shared<scene::ColorMap> parse_color_map(Parser& parser);
@@ -33,6 +36,15 @@ Shared<scene::BlendMap<T>> parse_block_list(Parser& parser, int size, Word word,
   }
   while (map->size() < static_cast<std::size_t>(size)) map->push_back({static_cast<float>(map->size()), absent()});
   return map;
+}
+
+// The end of the body of a pigment, normal or density: what can only be checked when all of it is known.
+template <class T>
+void check_body(Parser& parser, const T& body, bool has_map_of_its_kind) {
+  if (body.pattern.kind == scene::PatternKind::average && !has_map_of_its_kind)
+    parser.error(Code::missing_item, "Average must have map.");
+  check_pattern(parser, body.pattern);
+  check_nesting(parser, body);
 }
 
 }  // namespace verisim::parser

@@ -52,15 +52,13 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       return true;
     case Word::slope_map:
       refuse_with_image(parser, normal, "slope_map");
-      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average)
-        parser.error(Code::incompatible, "Cannot use slope_map with this pattern type.");
+      check_takes_map(parser, normal.pattern.kind, "slope_map", PatternKind::average);
       normal.slope_map = parse_slope_map(parser);
       normal.normal_map = nullptr;
       return true;
     case Word::normal_map:
       refuse_with_image(parser, normal, "normal_map");
-      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets)
-        parser.error(Code::incompatible, "Cannot use normal_map with this pattern type.");
+      check_takes_map(parser, normal.pattern.kind, "normal_map", PatternKind::facets);
       normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
       normal.slope_map = nullptr;
       return true;
@@ -102,18 +100,12 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
   }
   while (parse_modifier(parser, *normal)) changed = true;
   if (!changed) return original ? original : normal;
-  if (normal->pattern.kind == PatternKind::average && !normal->normal_map)
-    parser.error(Code::missing_item, "Average must have map.");
-  check_pattern(parser, normal->pattern);
-  check_nesting(parser, *normal);
+  check_body(parser, *normal, static_cast<bool>(normal->normal_map));
   return normal;
 }
 
 scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start) {
-  Block block(parser);
-  scene::NormalPtr result = parse_normal_body(parser, start);
-  block.close();
-  return result;
+  return in_block(parser, [&] { return parse_normal_body(parser, start); });
 }
 
 scene::NormalPtr parse_normal(Parser& parser) { return parse_normal(parser, default_layer(parser).normal); }

@@ -31,14 +31,12 @@ void read_uv_mapped(Parser& parser, Pigment& pigment) {
 bool parse_modifier(Parser& parser, Pigment& pigment) {
   switch (word_at(parser)) {
     case Word::color_map:
-      if (refuses_maps(pigment.pattern.kind) || pigment.pattern.kind == PatternKind::average)
-        parser.error(Code::incompatible, "Cannot use color_map with this pattern type.");
+      check_takes_map(parser, pigment.pattern.kind, "color_map", PatternKind::average);
       pigment.color_map = parse_color_map(parser);
       pigment.pigment_map = nullptr;
       return true;
     case Word::pigment_map:
-      if (refuses_maps(pigment.pattern.kind))
-        parser.error(Code::incompatible, "Cannot use pigment_map with this pattern type.");
+      check_takes_map(parser, pigment.pattern.kind, "pigment_map");
       pigment.pigment_map = parse_pigment_map(parser, pigment.pattern.kind == PatternKind::average);
       pigment.color_map = nullptr;
       return true;
@@ -87,18 +85,12 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
     parser.warning(Code::missing_item, "Pigment type unspecified or not 1st item.");
   while (parse_modifier(parser, *pigment)) changed = true;
   if (!changed) return original;  // shared, so that equal pigments are compiled once
-  if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map)
-    parser.error(Code::missing_item, "Average must have map.");
-  check_pattern(parser, pigment->pattern);
-  check_nesting(parser, *pigment);
+  check_body(parser, *pigment, static_cast<bool>(pigment->pigment_map));
   return pigment;
 }
 
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start) {
-  Block block(parser);
-  scene::PigmentPtr result = parse_pigment_body(parser, start);
-  block.close();
-  return result;
+  return in_block(parser, [&] { return parse_pigment_body(parser, start); });
 }
 
 scene::PigmentPtr parse_pigment(Parser& parser) { return parse_pigment(parser, default_layer(parser).pigment); }

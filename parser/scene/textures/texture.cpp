@@ -262,10 +262,7 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
 }
 
 scene::TexturePtr parse_texture(Parser& parser) {
-  Block block(parser);
-  scene::TexturePtr result = parse_texture_body(parser);
-  block.close();
-  return result;
+  return in_block(parser, [&] { return parse_texture_body(parser); });
 }
 
 }  // namespace verisim::parser

@@ -77,29 +77,6 @@ std::string date_text(const OutputOptions& options) {
   return text;
 }
 
-const char* extension_of(Format format) {
-  switch (format) {
-    case Format::png:
-      return ".png";
-    case Format::tga:
-    case Format::tga_rle:
-      return ".tga";
-    case Format::ppm:
-      return ".ppm";
-    case Format::bmp:
-      return ".bmp";
-    case Format::jpeg:
-      return ".jpg";
-    case Format::exr:
-      return ".exr";
-    case Format::hdr:
-      return ".hdr";
-    case Format::tiff:
-      return ".tif";
-  }
-  return "";
-}
-
 void write_through_module(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options) {
   if (options.format == Format::exr || options.format == Format::hdr) {
     save_float(rows, path, options);

@@ -15,6 +15,30 @@
 #include "tracer/base/output_file.h"
 
 namespace verisim::image {
+
+const char* extension_of(Format format) {
+  switch (format) {
+    case Format::png:
+      return ".png";
+    case Format::tga:
+    case Format::tga_rle:
+      return ".tga";
+    case Format::ppm:
+      return ".ppm";
+    case Format::bmp:
+      return ".bmp";
+    case Format::jpeg:
+      return ".jpg";
+    case Format::exr:
+      return ".exr";
+    case Format::hdr:
+      return ".hdr";
+    case Format::tiff:
+      return ".tif";
+  }
+  return "";
+}
+
 namespace {
 
 struct FileCloser {

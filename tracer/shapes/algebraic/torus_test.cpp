@@ -34,14 +34,7 @@ TEST(Torus, Inside) {
   EXPECT_FALSE(inside(torus(0.5, 1), {0, 0.9, 0}));
 }
 
-TEST(Torus, Uv) {
-  const auto object = torus(2, 0.5);
-  const auto shape = compile(*object);
-  Hit hit;
-  ASSERT_TRUE(shape->intersect({{0.3, 0.2, -5}, z}, RayKind::camera, 1e-4, 1e7, hit));
-  EXPECT_NEAR(shape->uv(hit).x, 0.73053, 1e-5);
-  EXPECT_NEAR(shape->uv(hit).y, 0.56550, 1e-5);
-}
+TEST(Torus, Uv) { expect_uv(torus(2, 0.5), {0.3, 0.2, -5}, z, {0.73053, 0.56550}); }
 
 TEST(Torus, HitsLieOnTheSurface) {
   const Transform t = Transform::scaling({1.2, 0.7, 1.5}).then(Transform::rotation({20, 40, 60}));

@@ -1,6 +1,6 @@
 // Probes 14 to 19 of spec 04.
 #include "tracer/functions/expression.h"
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 #include "tracer/functions/narrowing.h"
 #include "tracer/functions/test_support.h"
 #include "tracer/shapes/trace_test_support.h"

@@ -78,18 +78,8 @@ class Iteration {
   // Calls work with the kind of this fractal as a constant.
   template <class F>
   auto with_kind(F&& work) const {
-    switch (field_.kind) {
-      case Kind::quaternion_square:
-        return work.template operator()<Kind::quaternion_square>();
-      case Kind::quaternion_cube:
-        return work.template operator()<Kind::quaternion_cube>();
-      case Kind::hypercomplex_square:
-        return work.template operator()<Kind::hypercomplex_square>();
-      case Kind::hypercomplex_cube:
-        return work.template operator()<Kind::hypercomplex_cube>();
-      default:
-        return work.template operator()<Kind::other>();
-    }
+    if (field_.kind == Kind::other) return work.template operator()<Kind::other>();
+    return with_kind_of_power(field_.kind, work);
   }
 
  public:
@@ -105,16 +95,7 @@ class Iteration {
   Number start_of_inside(const Vec3& p) const { return start(p, !plain_); }
   template <Kind K>
   Number next(const Number& h) const {
-    if constexpr (K == Kind::quaternion_square)
-      return quaternion_square(h) + field_.parameter;
-    else if constexpr (K == Kind::quaternion_cube)
-      return quaternion_cube(h) + field_.parameter;
-    else if constexpr (K == Kind::hypercomplex_square)
-      return hypercomplex_square(h) + field_.parameter;
-    else if constexpr (K == Kind::hypercomplex_cube)
-      return hypercomplex_cube(h) + field_.parameter;
-    else
-      return apply(f_.function, f_.exponent, h) + field_.parameter;
+    return plus(image_of<K>(h), field_.parameter);
   }
   // Fills the orbit but for the last iterate; the step i >= 1 at which it escaped, or 0.
   int iterate(Orbit& orbit, const Number& h0) const {
@@ -127,7 +108,7 @@ class Iteration {
         if constexpr (K == Kind::other) {
           const Number image = apply(f_.function, f_.exponent, h);
           orbit.set_image(i - 1, image);
-          h = image + field_.parameter;
+          h = plus(image, field_.parameter);
         } else {
           h = next<K>(h);
         }
@@ -165,24 +146,20 @@ class Iteration {
     } else {
       m = other_product(orbit, last);
     }
-    if (field_.kind == Kind::hypercomplex_square) {
-      const double scale = std::ldexp(1.0, std::max(last, 1));
-      n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
-    }
-    return {m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w, -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
-            -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w};
+    if (field_.kind == Kind::hypercomplex_square) n = scaled(n, std::ldexp(1.0, std::max(last, 1)));
+    return hypercomplex_gradient<Vec3>(m, n);
   }
 
  private:
   Number start(const Vec3& p, bool quirk) const {
-    const double z = quirk ? p.y : p.z;
-    return {p.x, p.y, z,
-            (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
+    return first_iterate<Number>(field_, Vec3(p.x, p.y, quirk ? p.y : p.z));
   }
   template <Kind K>
-  static double norm2(const Number& h) {
-    if constexpr (is_quaternion(K)) return h.norm2();
-    return K == Kind::hypercomplex_square ? h.norm2_by_pairs() : h.norm2_from_left();
+  Number image_of(const Number& h) const {
+    if constexpr (K == Kind::other)
+      return apply(f_.function, f_.exponent, h);
+    else
+      return image<K>(h);
   }
 
   // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.

@@ -18,6 +18,7 @@ namespace {
 namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
+#include "tracer/shapes/julia/julia_formulas.inc"
 
 // ---- how rays of a packet meet the cells of a grid
 // Of numbers from 0 to 2^51.
@@ -112,43 +113,10 @@ unsigned enter(const Grid& grid, double radius, const LocalPacket& l, unsigned a
 // ---- the iteration
 constexpr unsigned kAll = (1u << kLanes) - 1;
 
+// Like Number.
 struct Numbers {
   Packet x, y, z, w;
 };
-
-// Number's.
-template <Kind K>
-HWY_INLINE Packet norm2(const Numbers& h) {
-  if constexpr (is_quaternion(K)) return h.x * h.x + (h.y * h.y + h.z * h.z + h.w * h.w);
-  if constexpr (K == Kind::hypercomplex_square) return (h.x * h.x + h.w * h.w) + (h.y * h.y + h.z * h.z);
-  return h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w;
-}
-HWY_INLINE Numbers product(const Numbers& a, const Numbers& b) {
-  return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
-          a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
-}
-
-HWY_INLINE Numbers quaternion_product(const Numbers& a, const Numbers& b) {
-  return {a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w, a.y * b.x + a.x * b.y + a.z * b.w - a.w * b.z,
-          a.z * b.x + a.x * b.z + a.w * b.y - a.y * b.w, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y};
-}
-
-template <Kind K>
-HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
-  Numbers r;
-  if constexpr (K == Kind::quaternion_square) {
-    const Packet q = h.y * h.y + h.z * h.z + h.w * h.w, t = 2 * h.x;
-    r = {h.x * h.x - q, t * h.y, t * h.z, t * h.w};
-  } else if constexpr (K == Kind::quaternion_cube) {
-    const Packet q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q;
-    r = {h.x * (x2 - 3 * q), h.y * t, h.z * t, h.w * t};
-  } else {
-    r = {K == Kind::hypercomplex_square ? (h.x * h.x + h.w * h.w) - (h.y * h.y + h.z * h.z)
-                                        : h.x * h.x - h.y * h.y - h.z * h.z + h.w * h.w,
-         2 * (h.x * h.y - h.z * h.w), 2 * (h.x * h.z - h.y * h.w), 2 * (h.x * h.w + h.y * h.z)};
-  }
-  return {r.x + c.x, r.y + c.y, r.z + c.z, r.w + c.w};
-}
 
 struct Place {
   Packet x, y, z;
@@ -161,8 +129,9 @@ HWY_INLINE Place select_place(const Mask& where, const Place& a, const Place& b)
   return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
 }
 
-HWY_INLINE Numbers start(const Field& f, const Place& p) {
-  return {p.x, p.y, p.z, (f.slice_distance - f.slice.x * p.x - f.slice.y * p.y - f.slice.z * p.z) / f.slice_w};
+template <Kind K>
+HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
+  return plus(image<K>(h), c);
 }
 
 // The points of the first three halvings, one of them twice, and those of the fourth: two orbits that wait for nothing
@@ -180,7 +149,7 @@ HWY_INLINE unsigned halvings_of(const Field& f, const Vec3& from, const Vec3& d,
   move(first, 0b11100101, half), move(first, 0b11010110, quarter), move(first, 0b11111000, eighth);
   move(last, 0b11110000, half), move(last, 0b11001100, quarter), move(last, 0b10101010, eighth);
   move(last, kAll, eighth / 2);
-  Numbers h = start(f, first), g = start(f, last);
+  Numbers h = first_iterate<Numbers>(f, first), g = first_iterate<Numbers>(f, last);
   Mask out = Mask::of_bits(0), out_last = out;
   for (int i = 1; i <= f.iterations; ++i) {
     out = out | (norm2<K>(h) > f.escape), out_last = out_last | (norm2<K>(g) > f.escape);
@@ -221,7 +190,7 @@ template <Kind K>
 HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& direction, const Mask& active_mask,
                             const Mask& estimated) {
   constexpr bool kQuaternion = is_quaternion(K);
-  Numbers h = start(f, place);
+  Numbers h = first_iterate<Numbers>(f, place);
   Mask out = ~active_mask;
   // Of each lane when it escapes: |h|^2 and, for quaternions, |h(i-1) ... h1 h0|^2 (the product of lengths has other
   // last bits) and k^steps; for others the slope along the ray.
@@ -237,18 +206,16 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
       if (bits(estimated & ~out) != 0) {
         if (i > 1) m = quaternion_product(h, m);
         if (bits(now) != 0) {
-          product2 = select(now, m.x * m.x + m.y * m.y + m.z * m.z + m.w * m.w, product2);
+          product2 = select(now, norm2_of_product(m), product2);
           power = select(now, Packet(running_power), power);
         }
       }
     } else {
       if (bits(now) != 0) {
         Numbers n = h;
-        if constexpr (K == Kind::hypercomplex_square) n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
-        const Packet vx = m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w,
-                     vy = -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
-                     vz = -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w;
-        slope = select(now, vx * direction.x + vy * direction.y + vz * direction.z, slope);
+        if constexpr (K == Kind::hypercomplex_square) n = scaled(n, scale);
+        const Place v = hypercomplex_gradient<Place>(m, n);
+        slope = select(now, v.x * direction.x + v.y * direction.y + v.z * direction.z, slope);
       }
       if (i > 1) {
         m = product(h, m);
@@ -269,9 +236,8 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
     if (const unsigned lanes = bits(far); lanes != 0)
       result.estimate = select(far, root * logarithms(q, lanes), smallest);
   } else {
-    const Packet decrease = -2.0 * slope;
-    const Mask near = out & (slope < -1e-8) & (f.precision * decrease < q) & (q < 30 * f.precision * decrease);
-    result.estimate = select(near, q / decrease, smallest);
+    const Mask near = out & slope_tells(slope, q, f.precision);
+    result.estimate = select(near, q / (-2.0 * slope), smallest);
   }
   return result;
 }
@@ -333,30 +299,18 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
   return bits(found);
 }
 
-template <class Work>
-HWY_INLINE unsigned with_kind(const Field& f, Work&& work) {
-  switch (f.kind) {
-    case Kind::quaternion_square:
-      return work.template operator()<Kind::quaternion_square>();
-    case Kind::quaternion_cube:
-      return work.template operator()<Kind::quaternion_cube>();
-    case Kind::hypercomplex_square:
-      return work.template operator()<Kind::hypercomplex_square>();
-    default:
-      return work.template operator()<Kind::hypercomplex_cube>();
-  }
-}
-
 unsigned halvings(const Field& f, const Vec3& from, const Vec3& direction, double width) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return halvings_of<K>(f, from, direction, width); });
+  return with_kind_of_power(f.kind,
+                            [&]<Kind K>() VERISIM_INLINE_LAMBDA { return halvings_of<K>(f, from, direction, width); });
 }
 unsigned march_packet(const Field& f, const Points& points, const Vec3& direction, double* estimate) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, points, direction, estimate); });
+  return with_kind_of_power(
+      f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, points, direction, estimate); });
 }
 unsigned first_intersections(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
                              double* depth, Points& points) {
-  return with_kind(
-      f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth, points); });
+  return with_kind_of_power(
+      f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth, points); });
 }
 
 constexpr Kernels kKernels{halvings, march_packet, enter, first_intersections};

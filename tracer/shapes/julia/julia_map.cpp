@@ -10,7 +10,7 @@ namespace {
 constexpr int kSide = Grid::kSide;
 constexpr double kMargin = 1e-6;  // relative; far above rounding
 
-double norm(const Number& h) { return std::sqrt(h.norm2()); }
+double norm(const Number& h) { return std::sqrt(norm2<Kind::quaternion_square>(h)); }
 double size(double re, double im) { return std::sqrt(re * re + im * im); }
 
 // The radius beyond which every point escapes in time: |h^n + c| >= |h|^n - |c|, for hypercomplex squares, too.
@@ -46,7 +46,7 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
   const double escape = f.escape * (1 + kMargin);
   // In four dimensions.
   double stray = half * std::sqrt(3.0) * std::sqrt(1 + dot(f.slice, f.slice) / (f.slice_w * f.slice_w)) * (1 + kMargin);
-  const auto image = [&](double size, double by) {
+  const auto next_stray = [&](double size, double by) {
     return (f.kind == Kind::quaternion_cube ? (3 * size * (size + by) + by * by) * by : (2 * size + by) * by) *
            (1 + kMargin);
   };
@@ -55,8 +55,9 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
       const double size = norm(h), least = size - stray;
       if (least > 0 && least * least > escape) return false;
       if (stray > 2 * size + 4) return true;
-      h = (f.kind == Kind::quaternion_cube ? quaternion_cube(h) : quaternion_square(h)) + f.parameter;
-      stray = image(size, stray);
+      h = plus(f.kind == Kind::quaternion_cube ? image<Kind::quaternion_cube>(h) : image<Kind::quaternion_square>(h),
+               f.parameter);
+      stray = next_stray(size, stray);
     }
     return true;
   }
@@ -68,8 +69,8 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
     const double least_a = std::max(0.0, a - stray_a), least_b = std::max(0.0, b - stray_b);
     if ((least_a * least_a + least_b * least_b) / 2 > escape) return false;
     if (stray_a > 2 * a + 4 && stray_b > 2 * b + 4) return true;
-    h = hypercomplex_square(h) + f.parameter;
-    stray_a = image(a, stray_a), stray_b = image(b, stray_b);
+    h = plus(image<Kind::hypercomplex_square>(h), f.parameter);
+    stray_a = next_stray(a, stray_a), stray_b = next_stray(b, stray_b);
   }
   return true;
 }

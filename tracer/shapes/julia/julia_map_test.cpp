@@ -27,14 +27,10 @@ std::vector<Field> fields() {
 
 // One point at a time, by the formulas of spec 04 section 8.
 bool survives(const Field& f, const Vec3& p) {
-  Number h{p.x, p.y, p.z, (f.slice_distance - f.slice.x * p.x - f.slice.y * p.y - f.slice.z * p.z) / f.slice_w};
+  Number h = first_iterate<Number>(f, p);
   for (int i = 1; i <= f.iterations; ++i) {
-    if (h.norm2() > f.escape) return false;
-    h = (f.kind == Kind::quaternion_square     ? quaternion_square(h)
-         : f.kind == Kind::quaternion_cube     ? quaternion_cube(h)
-         : f.kind == Kind::hypercomplex_square ? hypercomplex_square(h)
-                                               : hypercomplex_cube(h)) +
-        f.parameter;
+    if (norm2<Kind::quaternion_square>(h) > f.escape) return false;
+    h = plus(with_kind_of_power(f.kind, [&]<Kind K>() { return image<K>(h); }), f.parameter);
   }
   return true;
 }

@@ -101,12 +101,10 @@ class March {
     estimate = field_.precision;
     if (escaped == 0) return true;
     const Number& h = orbit[escaped - 1];
-    const double q = field_.kind == Kind::hypercomplex_square ? h.norm2_by_pairs() : h.norm2_from_left();
+    const double q =
+        field_.kind == Kind::hypercomplex_square ? norm2<Kind::hypercomplex_square>(h) : norm2<Kind::other>(h);
     const double slope = dot(iteration_.hypercomplex_normal(orbit, escaped - 1), direction);
-    if (slope < -1e-8) {
-      const double decrease = -2 * slope;
-      if (field_.precision * decrease < q && q < 30 * field_.precision * decrease) estimate = q / decrease;
-    }
+    if (slope_tells(slope, q, field_.precision)) estimate = q / (-2 * slope);
     return false;
   }
 
@@ -115,7 +113,7 @@ class March {
     Number h = h0;
     double product2 = 1, power = 1;
     for (int i = 1; i <= field_.iterations; ++i) {
-      const double q = h.norm2();
+      const double q = norm2<K>(h);
       product2 *= q;
       power *= K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2;
       if (q > field_.escape) {
@@ -139,7 +137,7 @@ class March {
       h = iteration_.template next<K>(h);
       m = quaternion_product(h, m);
     }
-    return m.norm2_from_left();
+    return norm2_of_product(m);
   }
 
   const Iteration& iteration_;

@@ -13,9 +13,6 @@ namespace verisim::shapes::julia {
 inline constexpr int kLanes = 8;
 inline constexpr double kFine = 1e-7;  // tolerance of depths
 
-enum class Kind : unsigned char { quaternion_square, quaternion_cube, hypercomplex_square, hypercomplex_cube, other };
-constexpr bool is_quaternion(Kind kind) { return kind == Kind::quaternion_square || kind == Kind::quaternion_cube; }
-
 // What the iteration needs to know of a fractal.
 struct Field {
   Kind kind = Kind::quaternion_square;

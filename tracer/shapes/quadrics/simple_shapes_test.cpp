@@ -43,14 +43,7 @@ TEST(Sphere, LimitsOfDistance) {
   EXPECT_TRUE(march(sphere(Vec3(0), 0.9e-5), {0, 0, -1}, z).empty());
 }
 
-TEST(Sphere, Uv) {
-  const auto object = sphere(Vec3(0), 1);
-  const auto shape = compile(*object);
-  Hit hit;
-  ASSERT_TRUE(shape->intersect({{0.3, 0.2, -3}, z}, RayKind::camera, 1e-4, 1e7, hit));
-  EXPECT_NEAR(shape->uv(hit).x, 0.79953, 1e-5);
-  EXPECT_NEAR(shape->uv(hit).y, 0.56410, 1e-5);
-}
+TEST(Sphere, Uv) { expect_uv(sphere(Vec3(0), 1), {0.3, 0.2, -3}, z, {0.79953, 0.56410}); }
 
 TEST(Box, Rotated) {
   const auto object = box(Vec3(-1), Vec3(1), [](Object& o) {
@@ -70,14 +63,7 @@ TEST(Box, FacesAtEdgesAndCorners) {
   EXPECT_EQ(target.trace({-3, -5, 0.2}, {1, 2, 0})->normal, -y);
 }
 
-TEST(Box, Uv) {
-  const auto object = box(Vec3(-1), Vec3(1));
-  const auto shape = compile(*object);
-  Hit hit;
-  ASSERT_TRUE(shape->intersect({{0.3, 0.2, -3}, z}, RayKind::camera, 1e-4, 1e7, hit));
-  EXPECT_NEAR(shape->uv(hit).x, 0.83750, 1e-5);
-  EXPECT_NEAR(shape->uv(hit).y, 0.53333, 1e-5);
-}
+TEST(Box, Uv) { expect_uv(box(Vec3(-1), Vec3(1)), {0.3, 0.2, -3}, z, {0.83750, 0.53333}); }
 
 TEST(Cone, Traces) {
   expect_trace(cone(Vec3(0), 1, 2.0 * y, 0), {0.1, 0.5, -5}, z, {0.1, 0.5, -0.743303437365924},

@@ -1,5 +1,5 @@
 // Internal functions with angles, roots and exponentials (spec 01 section 24).
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 
 namespace verisim::functions {
 

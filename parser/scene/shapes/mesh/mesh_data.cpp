@@ -1,4 +1,4 @@
-#include "parser/scene/shapes/mesh_data.h"
+#include "parser/scene/shapes/mesh/mesh_data.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "parser/scene/objects.h"
-#include "parser/scene/shapes/mesh_data.h"
+#include "parser/scene/shapes/mesh/mesh_data.h"
 
 namespace verisim::parser {
 

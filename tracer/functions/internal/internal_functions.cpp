@@ -1,10 +1,10 @@
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 
 #include <stdexcept>
 #include <string>
 
 #include "tracer/functions/expression.h"
-#include "tracer/functions/internal_noise.h"
+#include "tracer/functions/internal/noise_functions.h"
 
 namespace verisim::functions {
 
@@ -32,7 +32,5 @@ FunctionPtr internal_function(int n, int noise_generator) {
   }
   throw std::invalid_argument("Function 'internal(" + std::to_string(n) + ")' does not exist.");
 }
-
-int internal_function_parameters(int n) { return internal_function(n, 1)->parameters(); }
 
 }  // namespace verisim::functions

@@ -1,13 +1,13 @@
 // Internal functions made of noise: noise3d, noise_generator and the multifractals (spec 01 section 24: 29, 58, 59, 76,
 // 78).
-#include "tracer/functions/internal_noise.h"
+#include "tracer/functions/internal/noise_functions.h"
 
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 #include "tracer/functions/narrowing.h"
 #include "tracer/functions/operations.h"
 #include "tracer/noise/noise_kernels.h"

@@ -1,10 +1,10 @@
-#include "parser/scene/shapes/mesh_arrays.h"
+#include "parser/scene/shapes/mesh/mesh_arrays.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "parser/scene/shapes/mesh_data.h"
+#include "parser/scene/shapes/mesh/mesh_data.h"
 #include "tracer/base/parallel.h"
 
 namespace verisim::parser {

@@ -1,6 +1,6 @@
 // Algebraic surfaces among the internal functions. X, Y, Z are the squares of the coordinates, as in the
 // specification's table. Products and sums stand in the order that gives POV-Ray's last bits (spec 01 section 24).
-#include "tracer/functions/internal.h"
+#include "tracer/functions/internal/formula_table.h"
 
 namespace verisim::functions {
 

@@ -124,7 +124,7 @@ bool parse_statement(Parser& parser) {
     case Word::background:
       scene.background = parse_background(parser);
       scene.background_given = true;
-      scene.background_fades = parser.version() >= 370;
+      scene.background_fades = parser.effective_version() >= 370;
       return true;
     case Word::fog:
       scene.fogs.push_back(parse_fog(parser));

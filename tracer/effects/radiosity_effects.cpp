@@ -46,7 +46,6 @@ class TracerFinalGatherer : public FinalGatherer {
     if (tracer_.observed()) wavefront = nullptr;
 
     constexpr std::size_t kMaxRays = RayBatch::kMax;
-    const auto default_importance = static_cast<float>(effects_.scene().settings.radiosity.default_importance);
     FinalGatherResult* waiting[kMaxRays];
     int n = 0;
     const auto shade_waiting = [&] {
@@ -68,8 +67,7 @@ class TracerFinalGatherer : public FinalGatherer {
         FinalGatherResult& result = results[i];
         const shapes::Hit* const hit = found[k] ? &hits[k] : nullptr;
         if (hit) result.distance = hit->t;
-        result.importance = hit ? hit->shape->surface->object->radiosity_importance : -1;
-        if (result.importance < 0) result.importance = default_importance;
+        result.importance = effects_.importance_of(hit);
         if (result.importance < rays[i].threshold) continue;
         result.shaded = true;
         const auto key_of_ray = shading::RandomSource::branch_key(key, shading::RandomBranch::gather(i));
@@ -118,6 +116,16 @@ class TracerFinalGatherer : public FinalGatherer {
 };
 
 }  // namespace
+
+float SceneEffects::importance_of(const shapes::Hit* hit) const {
+  const float own = hit ? hit->shape->surface->object->radiosity_importance : -1;
+  return own >= 0 ? own : static_cast<float>(scene_.settings.radiosity.default_importance);
+}
+
+bool SceneEffects::unimportant(const shapes::Hit* hit, shading::FinalGatherNotes& notes) const {
+  notes.importance = importance_of(hit);
+  return notes.importance < notes.threshold;
+}
 
 Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayState& ray, shading::SurfaceHit& at,
                                  const shading::LayerContext& layer) const {

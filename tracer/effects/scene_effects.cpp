@@ -48,6 +48,9 @@ void SceneEffects::add_interior(const scene::Interior* interior, textures::Compi
 
 void SceneEffects::add_object(const scene::Object& object, textures::Compiler& compiler) {
   add_interior(object.interior.get(), compiler);
+  const scene::Radiosity& settings = scene_.settings.radiosity;
+  importance_counts |= settings.enabled && (object.radiosity_importance >= 0 ? object.radiosity_importance < 1
+                                                                             : settings.default_importance < 1);
   for (const auto& child : scene::children_of(object)) add_object(*child, compiler);
   if (const auto* light = object.as<scene::LightSource>()) {
     if (light->looks_like) add_object(*light->looks_like, compiler);

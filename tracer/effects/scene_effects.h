@@ -35,6 +35,9 @@ class SceneEffects : public shading::Effects {
                         std::span<const shading::MediaSegment>) const override;
   void shadow_media(shading::Tracer&, const shading::RayState&, double length, bool container, bool atmosphere,
                     Rgb&) const override;
+  // Of what a ray of radiosity hits, or of nothing.
+  float importance_of(const shapes::Hit* hit) const;
+  bool unimportant(const shapes::Hit* hit, shading::FinalGatherNotes& notes) const override;
   Rgb indirect_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&,
                      const shading::LayerContext&) const override;
   Rgb photon_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&,

@@ -36,7 +36,7 @@ void weigh(const IrradianceWeightQuery& query, int count, IrradianceBatch& batch
     const double mx = nx + n.x[i], my = ny + n.y[i], mz = nz + n.z[i];
     const double inverse = 1 / std::sqrt(mx * mx + my * my + mz * mz);
     const double along = ux * (mx * inverse) + uy * (my * inverse) + uz * (mz * inverse);
-    const double facing = apart ? along : 1.0;
+    const double facing = apart ? along : 1.0;  // no number where the normals are opposite
     const double t = error / bound, plain = 1.0 - t;
     const double inner = 1.0 - 2.0 * t * t, outer = 2.0 * plain * plain, round = t < 0.5 ? inner : outer;
     const double straight = smooth != 0 ? round : plain;
@@ -44,7 +44,7 @@ void weigh(const IrradianceWeightQuery& query, int count, IrradianceBatch& batch
     const double within = apart ? radius * bound : 1e300;
     weight = r >= within ? 0.0 : weight;
     weight = error < bound ? weight : 0.0;
-    batch.weight[i] = facing <= -0.05 ? 0.0 : weight;
+    batch.weight[i] = facing > -0.05 ? weight : 0.0;
   }
 }
 

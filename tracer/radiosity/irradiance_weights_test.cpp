@@ -26,7 +26,7 @@ double expected_weight(const IrradianceWeightQuery& query, const Vec3& delta, co
   const double error = r / radius + 2.0 * std::sqrt(turn);
   if (!(error < query.bound)) return 0;
   const double facing = apart ? dot(u, normalize(query.normal + normal)) : 1.0;
-  if (facing <= -0.05) return 0;
+  if (!(facing > -0.05)) return 0;  // nor where the normals are opposite
   const double t = error / query.bound;
   double weight = 1.0 - t;
   if (query.smooth) weight = t < 0.5 ? 1.0 - 2.0 * t * t : 2.0 * (1.0 - t) * (1.0 - t);

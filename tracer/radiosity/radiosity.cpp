@@ -206,7 +206,7 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, FinalGatherer& gather
     }
     estimate.weight = total;
     notes.quality = std::max(notes.quality, of_sample.quality);
-    notes.importance = of_sample.importance;
+    notes.importance = of_sample.importance, notes.threshold = of_sample.threshold;
   }
   notes.quality = std::min(notes.quality, static_cast<float>(4.0 * estimate.weight / required));
   return adjusted(result, d.gray_threshold, d.brightness);
@@ -233,6 +233,7 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gathe
       const FinalGatherRay& ray = workspace->rays[i];
       const FinalGatherResult& g = workspace->results[i];
       const float importance = notes.importance = g.notes.importance < 0 ? g.importance : g.notes.importance;
+      notes.threshold = ray.threshold;
       if (g.shaded && importance >= ray.threshold) {
         float q = g.notes.quality;
         if (importance < 1.0f) q *= static_cast<float>(n) / (std::floor(importance * static_cast<float>(n - 1)) + 1.0f);

@@ -24,6 +24,7 @@
 #include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/last_blockers.h"
 #include "tracer/shapes/implicit/last_miss.h"
+#include "tracer/textures/compile/shared_maps.h"
 #include "tracer/render/prepared_scene.h"
 #include "tracer/render/prepass_data.h"
 #include "tracer/render/prepasses.h"
@@ -242,7 +243,7 @@ void count_rays(const Options& options, const Statistics& traced) {
 }
 
 PreparedScene::PreparedScene(const scene::Scene& scene, const Options& options)
-    : compiler_(texture_settings(supported(scene, options), options.quality)),
+    : compiler_(texture_settings(supported(scene, options), options.quality), textures::MapsWithoutBumpScale(scene)),
       world_(scene, compiler_, {options.split_unions, options.remove_bounds, options.bounding_threshold}),
       data_(scene, world_, compiler_, options.quality, options.output_alpha),
       effects_(scene, compiler_, options.quality) {

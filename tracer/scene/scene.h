@@ -69,6 +69,7 @@ struct Settings {
   bool subsurface = false;
   int subsurface_samples_diffuse = 50, subsurface_samples_single = 50;
   bool subsurface_radiosity = false;
+  bool no_bump_scale = false;  // of some normal or texture
   Radiosity radiosity;
   Photons photons;
 };

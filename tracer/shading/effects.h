@@ -17,6 +17,7 @@ namespace verisim::shading {
 
 class Tracer;
 struct RayState;
+struct FinalGatherNotes;
 struct SurfaceHit;
 
 // One layer while it is being shaded.
@@ -49,6 +50,7 @@ class Effects {
 
   // Which hooks are in use.
   bool media_in_interiors = false, atmosphere = false, radiosity = false, photons = false, subsurface = false;
+  bool importance_counts = false;  // radiosity, and something is of less importance than 1
   // What media of interiors, or of the air, do hangs on the random numbers that they draw.
   bool interior_draws_count = false, air_draws_count = false;
 
@@ -70,6 +72,8 @@ class Effects {
   // Indirect light to add to a layer: pigment, opacity and diffuse included, F_i not (spec 07 2.4). Called for every
   // layer from the top.
   virtual Rgb indirect_light(Tracer&, const RayState&, SurfaceHit&, const LayerContext&) const { return {}; }
+  // Whether what a ray hits, or null, is of too little importance for a ray whose notes ask for some; they learn it.
+  virtual bool unimportant(const shapes::Hit* /*hit*/, FinalGatherNotes&) const { return false; }
   // Light of stored photons on a layer (spec 07 3.10), F_i not included.
   virtual Rgb photon_light(Tracer&, const RayState&, SurfaceHit&, const LayerContext&) const { return {}; }
   // A shadow ray from an object that collects photons hits a photon target: true if the map replaces that light, so it

@@ -17,6 +17,9 @@ struct FinalGatherNotes {
   // Of what the last ray of the last sample that was taken on the way hit first; below 0: none was taken. POV-Ray
   // weighs a ray by it (measured with 3.7.0.10).
   float importance = -1;
+  // The importance that the last ray of the last sample asked for, which rays that start from the same surface ask for,
+  // too (spec 07 2.6); below 0: none was taken.
+  float threshold = -1;
 };
 
 struct RayState {

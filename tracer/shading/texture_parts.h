@@ -20,8 +20,7 @@ inline Vec3 perturb_in_frames(const textures::CompiledNormal& normal, const Vec3
   const auto enter = [&](const auto& self, const TextureFrame* f) -> Vec3 {  // outermost first
     return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : geometric_normal;
   };
-  surface.normal = enter(enter, frame);
-  Vec3 n = textures::perturb(normal, p, surface);
+  Vec3 n = textures::perturb(normal, p, enter(enter, frame), surface);
   for (const TextureFrame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
   return n;
 }

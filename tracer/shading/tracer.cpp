@@ -1,5 +1,7 @@
 #include "tracer/shading/tracer.h"
 
+#include <utility>
+
 #include <boost/container/static_vector.hpp>
 
 #include "tracer/shading/atmosphere/fog.h"
@@ -57,7 +59,9 @@ RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
 }
 
 Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max, const accel::WorldEntry* entry) {
-  const RayState state = camera_state(ray, origin_varies);
+  RayState state = camera_state(ray, origin_varies);
+  FinalGatherNotes notes;
+  state.notes = &notes;
   ++statistics_.camera_rays;
   return trace(state, t_max, entry);
 }
@@ -85,6 +89,21 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
   if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   const Nested nested(nesting_);
   if (observer_) observer_->ray_started(ray, hit);
+  const Color color = ray.notes ? seen_if_important(ray, hit) : seen_along(ray, hit);
+  if (observer_) observer_->ray_ended(ray, color);
+  return color;
+}
+
+// What it starts in turn asks for nothing, but what starts beside it afterwards does again.
+Color Tracer::seen_if_important(const RayState& ray, const shapes::Hit* hit) {
+  if (ray.notes->threshold >= 0 && scene_.effects->unimportant(hit, *ray.notes)) return {};
+  const float threshold = std::exchange(ray.notes->threshold, -1.0f);
+  const Color color = seen_along(ray, hit);
+  ray.notes->threshold = threshold;
+  return color;
+}
+
+Color Tracer::seen_along(const RayState& ray, const shapes::Hit* hit) {
   Color color;
   const double length = hit ? hit->t : kMissDistance;
   if (hit) {
@@ -95,7 +114,6 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
   if (has_volumes_ && ray.hollow && ray.volumes) {
     through_air(color, [&] { apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color); });
   }
-  if (observer_) observer_->ray_ended(ray, color);
   return color;
 }
 

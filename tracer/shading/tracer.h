@@ -135,6 +135,9 @@ class Tracer {
   // (spec 06 4.2.4 to 4.2.6). `diffuse`: coefficient to use; <= 0: none.
   Rgb layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
                      const Rgb& intensity, float diffuse, bool highlights);
+  // The same without iridescence.
+  Rgb response_below_film(const LayerContext& layer, const Vec3& view, const Vec3& l, const Rgb& intensity,
+                          float diffuse, bool highlights);
 
   // Filters the light of all rays of a batch; `eye`: the ray that asks, but for its own way and weight.
   void cast_shadows(const Light& light, const RayState& eye, ShadowBatch& batch);
@@ -201,6 +204,8 @@ class Tracer {
 
   // ---- tracer.cpp
   bool cut_off(const RayState& ray) const;
+  Color seen_if_important(const RayState& ray, const shapes::Hit* hit);
+  Color seen_along(const RayState& ray, const shapes::Hit* hit);
   void apply_volumes(const RayState& ray, double length, const shapes::Surface* end, Color& color);
   // Lets fog or media change a colour, and tells a witness.
   template <class Apply>
@@ -241,6 +246,8 @@ class Tracer {
   // The thickness of an iridescent film at a point, and the tint that it gives light.
   double film_thickness(const scene::Finish& finish, const Vec3& p) const;
   Rgb film_tint(const scene::Finish& finish, double thickness, double cosines) const;
+  // That of a layer's film for light from unit direction l; white where there is none.
+  Rgb film_tint(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l) const;
 
   // ---- transmission.cpp
   Color transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection);

@@ -32,7 +32,7 @@ void evaluate(const CompiledPigment& pigment, int count, const PointBatch& point
 // Noise summed over octaves at the first `count` points, filled up, as `turbulence` gives it one by one; as many values
 // are written as there are points then, aligned as they are.
 void turbulence(int generator, int count, const PointBatch& points, const Octaves& octaves, double* values);
-// The normals to shade with at the first `count` points, as `perturb` gives them one by one.
+// The normals to shade with at the first `count` points, as `perturb` gives them one by one; in and out.
 void perturb(const CompiledNormal& normal, int count, const PointBatch& points, SurfacePoint* const* surfaces,
              Vec3* normals);
 

@@ -20,8 +20,8 @@ struct CompiledTexture;
 // the intersection: it starts as the geometric normal turned towards the ray and every normal evaluation overwrites it
 // (spec 05 3.4).
 struct SurfacePoint {
-  Vec3 point;   // the hit, unwarped
-  Vec3 normal;  // in and out
+  Vec3 point;  // the hit, unwarped
+  Vec3 normal;
   Vec3 ray_direction;
   // Surface coordinates are computed when they are asked for: few textures do, and some shapes need inverse
   // trigonometry for them.
@@ -67,9 +67,12 @@ struct CompiledTexture {
 
 // Owns everything it compiles; pointers stay valid as long as it lives. Equal descriptions (by address) are compiled
 // once.
+class MapsWithoutBumpScale;
+
 class Compiler {
  public:
   explicit Compiler(const Settings& settings);
+  Compiler(const Settings& settings, MapsWithoutBumpScale maps);
   ~Compiler();
   Compiler(const Compiler&) = delete;
   Compiler& operator=(const Compiler&) = delete;
@@ -90,9 +93,9 @@ class Compiler {
 bool evaluate(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
 // The scalar value after wave form (spec 05 3.2).
 double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
-// Perturbs surface.normal at p and returns the normal to shade with: the same, but with `no_bump_scale` only the
-// returned one has unit length (what slope and aoi see later is not normalised, spec 05 10.1).
-Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface);
+// Perturbs n at p and returns the normal to shade with; surface.normal becomes the same, but with `no_bump_scale` only
+// the returned one has unit length (what slope and aoi see later is not normalised, spec 05 10.1).
+Vec3 perturb(const CompiledNormal& normal, const Vec3& p, const Vec3& n, SurfacePoint& surface);
 // Which textures of a patterned texture show at p, in POV-Ray's order of work (upper map entry first), and the warped
 // point for them. Returns at most 2 entries for a map, all of them for an average; `storage` must hold
 // texture.map.size() entries (and at least 2). Before the children are shaded the normal must be taken into the

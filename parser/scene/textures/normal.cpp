@@ -48,7 +48,7 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       return true;
     case Word::no_bump_scale:
       parser.next();
-      normal.no_bump_scale = true;
+      normal.no_bump_scale = parser.scene().settings.no_bump_scale = true;
       return true;
     case Word::slope_map:
       refuse_with_image(parser, normal, "slope_map");

@@ -88,7 +88,7 @@ void parse_plain_items(Parser& parser, Texture& texture) {
         normal->no_bump_scale = true;
         layer.normal = normal;
       }
-      texture.no_bump_scale = true;
+      texture.no_bump_scale = parser.scene().settings.no_bump_scale = true;
       continue;
     }
     if (parse_transform_item(parser, item)) {
@@ -147,7 +147,7 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
     }
     if (parser.at(Word::no_bump_scale)) {
       parser.next();
-      texture.no_bump_scale = true;
+      texture.no_bump_scale = parser.scene().settings.no_bump_scale = true;
       continue;
     }
     if (!parse_pattern_modifier(parser, texture.pattern, PatternOwner::texture)) break;
@@ -241,9 +241,16 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
       parse_plain_items(parser, *texture);
       return texture;
     }
-    Transform item;
-    while (parse_transform_item(parser, item)) texture->pattern.prepend(item);
-    return texture;
+    for (Transform item;;) {
+      if (parser.at(Word::no_bump_scale)) {
+        parser.next();
+        texture->no_bump_scale = parser.scene().settings.no_bump_scale = true;
+      } else if (parse_transform_item(parser, item)) {
+        texture->pattern.prepend(item);
+      } else {
+        return texture;
+      }
+    }
   }
   auto texture = std::make_shared<Texture>(*parser.default_texture());
   if (at_part_identifier(parser)) {

@@ -7,7 +7,7 @@ Vec3 perturb_direction(const textures::CompiledNormal& normal, const Vec3& unit_
   const Vec3 p{image.x, image.y, 0};
   textures::SurfacePoint point{p, unit_direction, unit_direction};
   point.is_hit = false;
-  textures::perturb(normal, p, point);
+  textures::perturb(normal, p, unit_direction, point);
   return normalize(point.normal);
 }
 

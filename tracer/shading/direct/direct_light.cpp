@@ -152,6 +152,7 @@ void Tracer::add_area_illumination(const RayState& ray, SurfaceHit& at, const La
   }
   if (cache.color.max_abs() <= kDark) return;
   const Light::Axes axes = light.axes(cache.direction.towards);
+  const Rgb film = film_tint(at, layer, ray.ray.direction, cache.direction.towards);  // one for all samples
   const Rgb part = cache.color / (static_cast<float>(light.size1()) * static_cast<float>(light.size2()));
   for (int v = 0; v < light.size2(); ++v) {
     for (int u = 0; u < light.size1(); ++u) {
@@ -164,14 +165,21 @@ void Tracer::add_area_illumination(const RayState& ray, SurfaceHit& at, const La
         if (finish.diffuse_back == 0) continue;
         back = true;
       }
-      sum += layer_response(at, layer, ray.ray.direction, direction.towards, color,
-                            back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
+      sum += film * response_below_film(layer, ray.ray.direction, direction.towards, color,
+                                        back ? finish.diffuse_back : finish.diffuse,
+                                        light.highlights() && !ray.gather && !back);
     }
   }
 }
 
 Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
                            const Rgb& intensity, float diffuse, bool highlights) {
+  const Rgb sum = response_below_film(layer, view, l, intensity, diffuse, highlights);
+  return layer.layer.finish.irid > 0 ? sum * film_tint(at, layer, view, l) : sum;
+}
+
+Rgb Tracer::response_below_film(const LayerContext& layer, const Vec3& view, const Vec3& l, const Rgb& intensity,
+                                float diffuse, bool highlights) {
   const scene::Finish& finish = layer.layer.finish;
   const Rgb pigment = layer.pigment.rgb();
   const double cosine = dot(layer.normal, l);
@@ -187,9 +195,6 @@ Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, cons
     for (const double strength : highlight_strengths(finish, layer.normal, view, l))
       if (strength != 0) sum += scaled(color, strength);
   }
-  if (finish.irid > 0)
-    sum *=
-        film_tint(finish, film_thickness(finish, at.hit.point), std::fabs(cosine) + std::fabs(dot(layer.normal, view)));
   return sum;
 }
 
@@ -197,6 +202,13 @@ double Tracer::film_thickness(const scene::Finish& finish, const Vec3& p) const 
   if (finish.irid_turbulence == 0) return finish.irid_thickness;
   static const textures::Octaves octaves = film_octaves();
   return turbulent_thickness(finish, textures::turbulence(p, octaves, scene_.scene.settings.noise_generator));
+}
+
+Rgb Tracer::film_tint(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l) const {
+  const scene::Finish& finish = layer.layer.finish;
+  if (!(finish.irid > 0)) return Rgb(1);
+  const double cosines = std::fabs(dot(layer.normal, l)) + std::fabs(dot(layer.normal, view));
+  return film_tint(finish, film_thickness(finish, at.hit.point), cosines);
 }
 
 Rgb Tracer::film_tint(const scene::Finish& finish, double thickness, double cosines) const {

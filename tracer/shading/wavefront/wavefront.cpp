@@ -18,6 +18,8 @@ Wavefront::Wavefront(Tracer& tracer, bool asks_around)
     : tracer_(tracer), scene_(tracer.scene()), kernels_(wavefront_kernels()), packet_{} {
   usable_ = scene_.quality >= 9 && !tracer_.in_order() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
   indirect_ = asks_around && scene_.effects && scene_.effects->radiosity;
+  // A sample may decide which of the rays after it are shaded.
+  usable_ = usable_ && !(scene_.effects && scene_.effects->importance_counts);
   photons_ = scene_.effects && scene_.effects->photons;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
   for (float* tint : {packet_.tint.r, packet_.tint.g, packet_.tint.b, packet_.film.r, packet_.film.g, packet_.film.b})

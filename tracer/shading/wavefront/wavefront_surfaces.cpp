@@ -277,11 +277,8 @@ void Wavefront::find_colors_and_normals(const Material& material, const int* lea
     SurfaceHit& at = *met_[leaf.ray].at;
     points.set(k, leaf.point);
     surfaces[k] = &at.texture_point;
-    if (perturbed)
-      at.texture_point.normal =
-          leaf.around ? textures::enter_frame(*leaf.around, at.geometric_normal) : at.geometric_normal;
-    else
-      normals_[k] = at.geometric_normal;
+    normals_[k] =
+        perturbed && leaf.around ? textures::enter_frame(*leaf.around, at.geometric_normal) : at.geometric_normal;
   }
   points.fill_up(n);
   if (perturbed) {

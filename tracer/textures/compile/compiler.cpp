@@ -18,6 +18,7 @@
 #include "tracer/textures/normals/normal.h"
 #include "tracer/textures/patterns/formulas.h"
 #include "tracer/textures/compile/pattern_signature.h"
+#include "tracer/textures/compile/shared_maps.h"
 #include "tracer/textures/evaluation/pigment.h"
 #include "tracer/textures/texture.h"
 
@@ -43,9 +44,10 @@ using PatternBlocks = boost::container::deque_options_t<boost::container::block_
 }  // namespace
 
 struct Compiler::Impl {
-  explicit Impl(const Settings& s) : settings(s) {}
+  Impl(const Settings& s, MapsWithoutBumpScale maps) : settings(s), maps_without_bump_scale(std::move(maps)) {}
 
   Settings settings;
+  MapsWithoutBumpScale maps_without_bump_scale;
   CompiledCache<scene::Texture, CompiledTexture> textures;
   CompiledCache<scene::Pigment, CompiledPigment> pigments;
   CompiledCache<scene::Density, CompiledPigment> densities;
@@ -282,7 +284,8 @@ CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_
   c.no_bump_scale = no_bump_scale || d.no_bump_scale;
   if (d.normal_map && !d.normal_map->empty()) {
     c.positions = MapPositions(*d.normal_map);
-    for (const auto& entry : *d.normal_map) c.children.push_back(normal(entry.value, c.no_bump_scale));
+    const bool entries = c.no_bump_scale || maps_without_bump_scale.contains(d.normal_map);
+    for (const auto& entry : *d.normal_map) c.children.push_back(normal(entry.value, entries));
     if (d.pattern.kind == uv_mapping) {
       c.method = CompiledNormal::Method::uv_mapping;
       return c;
@@ -336,15 +339,18 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   c.material_map = d.pattern.kind == scene::PatternKind::image_map;
   c.pattern = pattern_with_frame(d.pattern);
   c.opaque = true;  // POV-Ray never flags these, but their filter is zero all the same
+  const bool entries = no_bump_scale || maps_without_bump_scale.contains(d.texture_map);
   for (const auto& entry : *d.texture_map) {
-    c.map.push_back({entry.position, texture(entry.value, no_bump_scale)});
+    c.map.push_back({entry.position, texture(entry.value, entries)});
     c.opaque = c.opaque && c.map.back().value->opaque;
   }
   c.positions = MapPositions(c.map);
   return c;
 }
 
-Compiler::Compiler(const Settings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+Compiler::Compiler(const Settings& settings) : Compiler(settings, MapsWithoutBumpScale()) {}
+Compiler::Compiler(const Settings& settings, MapsWithoutBumpScale maps)
+    : impl_(std::make_unique<Impl>(settings, std::move(maps))) {}
 Compiler::~Compiler() = default;
 
 const CompiledTexture* Compiler::texture(const scene::TexturePtr& description) {

@@ -49,7 +49,7 @@ class MapPositions {
   MapPlace find(double v) const {
     const Entry* entries = entries_.data();
     const int last = static_cast<int>(entries_.size()) - 1;
-    if (!(v < entries[last].position)) return {last, last, 1};
+    if (v >= entries[last].position) return {last, last, 1};  // what is no number finds the first entry
     int j = 0;
     if (last <= 8) {
       for (int i = 0; i < last; ++i) j += v > entries[i].running_maximum;

@@ -81,56 +81,55 @@ Vec3 height_field(const CompiledNormal& c, const Vec3& p, const SurfacePoint& su
   return n;
 }
 
-// The whole process of one normal, children included; `surface.normal` in and out.
-void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
-  using enum CompiledNormal::Method;
-  if (c.method == uv_mapping) {
-    apply(*c.children[0], uv_point(surface), surface);
-    return;
+Vec3 apply(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface);
+
+// The normals of a map's entries at a point, blended; in and out in the frame of its pattern.
+Vec3 mapped(const CompiledNormal& c, const MapPlace& place, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
+  const Vec3 upper = apply(*c.children[place.upper], p, n, surface);
+  if (place.single()) return upper;
+  return (1 - place.t) * apply(*c.children[place.lower], p, n, surface) + place.t * upper;
+}
+
+Vec3 averaged(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
+  Vec3 sum(0, 0, 0);
+  float total = 0;  // the bits of POV-Ray's sum of weights
+  for (std::size_t i = 0; i < c.children.size(); ++i) {
+    sum += static_cast<double>(c.positions.position(i)) * apply(*c.children[i], p, n, surface);
+    total += c.positions.position(i);
   }
-  if (c.method == unusable) return UnusableNormal::note();
+  return sum * (1.0 / total);
+}
+
+// The whole process of one normal, children included. `surface.normal` is what patterns see: what the evaluation before
+// this one has left, not n (spec 05 3.4).
+Vec3 apply(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
+  using enum CompiledNormal::Method;
+  if (c.method == uv_mapping) return apply(*c.children[0], uv_point(surface), n, surface);
+  if (c.method == unusable) {
+    UnusableNormal::note();
+    return n;
+  }
   const Vec3 q = warped(*c.pattern, p);
+  const auto in_frame = [&](auto&& change) {
+    return normal_out_of_frame(*c.pattern, c.no_bump_scale, change(normal_into_frame(*c.pattern, c.no_bump_scale, n)));
+  };
   switch (c.method) {
-    case displacement: {
-      const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
-      surface.normal = normal_out_of_frame(*c.pattern, c.no_bump_scale, displaced(c, q, n));
-      return;
-    }
-    case height: {
-      const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
-      surface.normal = normal_out_of_frame(*c.pattern, c.no_bump_scale, height_field(c, q, surface, n));
-      return;
-    }
+    case displacement:
+      surface.normal = in_frame([&](const Vec3& local) { return displaced(c, q, local); });
+      break;
+    case height:
+      surface.normal = in_frame([&](const Vec3& local) { return height_field(c, q, surface, local); });
+      break;
     case map: {
       const MapPlace place = c.positions.find(value_at(*c.pattern, q, &surface));
-      const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
-      surface.normal = n;
-      apply(*c.children[place.upper], q, surface);
-      if (!place.single()) {
-        const Vec3 upper = surface.normal;
-        surface.normal = n;
-        apply(*c.children[place.lower], q, surface);
-        surface.normal = (1 - place.t) * surface.normal + place.t * upper;
-      }
       // Normalised once more, as in POV-Ray: the last bit may change.
-      surface.normal = normalize(normal_out_of_frame(*c.pattern, c.no_bump_scale, surface.normal));
-      return;
-    }
-    default: {
-      const Vec3 n = normal_into_frame(*c.pattern, c.no_bump_scale, surface.normal);
-      Vec3 sum(0, 0, 0);
-      float total = 0;  // the bits of POV-Ray's sum of weights
-      for (std::size_t i = 0; i < c.children.size(); ++i) {
-        surface.normal = n;
-        apply(*c.children[i], q, surface);
-        sum += static_cast<double>(c.positions.position(i)) * surface.normal;
-        total += c.positions.position(i);
-      }
-      surface.normal = sum * (1.0 / total);
+      surface.normal = normalize(in_frame([&](const Vec3& local) { return mapped(c, place, q, local, surface); }));
       break;
     }
+    default:
+      surface.normal = in_frame([&](const Vec3& local) { return averaged(c, q, local, surface); });
   }
-  surface.normal = normal_out_of_frame(*c.pattern, c.no_bump_scale, surface.normal);
+  return surface.normal;
 }
 
 }  // namespace
@@ -146,9 +145,9 @@ double height_of(const CompiledNormal& c, double v) {
          (t * a.slope + a.height);
 }
 
-Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {
-  apply(normal, p, surface);
-  return normal.no_bump_scale ? surface.normal / length(surface.normal) : surface.normal;
+Vec3 perturb(const CompiledNormal& normal, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
+  const Vec3 perturbed = apply(normal, p, n, surface);
+  return normal.no_bump_scale ? perturbed / length(perturbed) : perturbed;
 }
 
 }  // namespace verisim::textures

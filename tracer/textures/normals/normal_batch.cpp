@@ -80,12 +80,12 @@ void raise(const CompiledNormal& c, int count, const PointBatch& p, const Surfac
 void perturb(const CompiledNormal& c, int count, const PointBatch& points, SurfacePoint* const* surfaces,
              Vec3* normals) {
   if (count < kFewPoints || !has_wide_form(c)) {
-    for (int i = 0; i < count; ++i) normals[i] = perturb(c, points.at(i), *surfaces[i]);
+    for (int i = 0; i < count; ++i) normals[i] = perturb(c, points.at(i), normals[i], *surfaces[i]);
     return;
   }
   PointBatch p, n;
   patterns_of().warp_batch(c.pattern->chain, count, points, p);
-  for (int i = 0; i < count; ++i) n.set(i, surfaces[i]->normal);
+  for (int i = 0; i < count; ++i) n.set(i, normals[i]);
   n.fill_up(count);
   normals_of().into_frame(*c.pattern, c.no_bump_scale, count, n);
   if (c.method == CompiledNormal::Method::height)

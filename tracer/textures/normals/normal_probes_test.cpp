@@ -25,7 +25,7 @@ Vec3 greys(const NormalPtr& description, const Vec3& p) {
   surface.point = p;
   surface.normal = Vec3(0, 0, -1);
   surface.ray_direction = Vec3(0, 0, 1);
-  perturb(*compiler.normal(description), p, surface);
+  perturb(*compiler.normal(description), p, surface.normal, surface);
   Vec3 result;
   for (int k = 0; k < 3; ++k)
     result[k] = (0.5 + std::asin(std::clamp(surface.normal[k], -1.0, 1.0)) / std::numbers::pi) * 65535;

@@ -373,6 +373,7 @@ const Tiling* periodic_tiling(int number) {
     for (const int n : {9, 15}) all[n - 1].border = 1e-14;
     all[2].exchanged = true;
     for (const int n : {12, 13, 14}) all[n - 1].seams = n;
+    for (const int n : {19, 20}) all[n - 1].border = kLean, all[n - 1].level_line = n;
     return all;
   }();
   return number >= 1 && number <= 24 ? &tilings[number - 1] : nullptr;
@@ -402,6 +403,16 @@ std::pair<const Tile*, double> tile_at(const Tiling& t, double x, double z) {
     if (distance > 0) break;
   }
   return {holder, distance};
+}
+
+// Where tilings 19 and 20 lean on the line z = 0, where all of a surface with uv coordinates may lie (measured, spec 05
+// 9.1).
+Vec2 lean_on_level_line(const Tiling& t, double x) {
+  constexpr double kLean = 1e-12;
+  const double place = x - std::floor(x / 7) * 7;
+  if (t.level_line == 19) return {0, (place > 2.5 && place < 3) || (place >= 4 && place <= 5) ? -kLean : kLean};
+  if (place == 4) return {-kLean, 0};
+  return {0, place > 4 ? -kLean : kLean};
 }
 
 // Below 1 also for what is hardly below 0.
@@ -440,7 +451,10 @@ double evaluate_tiling(const Tiling& t, double x, double z) {
   const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
   auto [holder, distance] = tile_at(t, px, pz);
   if (!holder) return 0;  // not a number
-  if (!(distance > t.border)) holder = tile_at(t, px + t.lean.x, pz + t.lean.y).first, distance = 0;
+  if (!(distance > t.border)) {
+    const Vec2 lean = t.level_line != 0 && z == 0 ? lean_on_level_line(t, x) : t.lean;
+    holder = tile_at(t, px + lean.x, pz + lean.y).first, distance = 0;
+  }
   const double top = exchanged ? 1.5 - holder->top : holder->top;
   const double value = top - holder->step * distance + holder->offset;
   return std::max(value, holder->minimum);

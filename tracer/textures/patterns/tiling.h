@@ -30,6 +30,7 @@ struct Tiling {
   Vec2 lean{0, 0};
   double border = 0;       // how near to an edge is on it: more than 0 where the lattice has no exact coordinates
   bool exchanged = false;  // tiling 3: its two classes are, where x is a whole number
+  int level_line = 0;      // tilings 19 and 20: the number; on z = 0 they lean either way
   int seams = 0;           // tilings 12 to 14: the number; lines between their cells belong to no tile
 };
 

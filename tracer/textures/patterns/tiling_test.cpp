@@ -66,6 +66,18 @@ TEST(Tiling, BordersBelongToTheTileThatPovRayTakes) {
   EXPECT_NEAR(tiling(18, -1e-16, 0.5), tiling(18, -1e-9, 0.5), 1e-6);
 }
 
+// POV-Ray's values on z = 0 at every quarter of a period, in twelfths.
+TEST(Tiling, LevelLineLeansEitherWay) {
+  const int twelfths[2][28] = {
+      {8, 4, 4, 4, 8, 4, 4, 4, 8, 4, 4, 8, 12, 12, 12, 12, 4, 8, 8, 8, 4, 9, 8, 8, 8, 8, 8, 9},
+      {8, 4, 4, 4, 8, 4, 4, 4, 8, 9, 8, 8, 8, 8, 8, 9, 12, 8, 8, 8, 4, 8, 8, 8, 4, 8, 8, 8},
+  };
+  for (const int n : {19, 20})
+    for (const double start : {-14.0, 0.0, 7.0})
+      for (int k = 0; k < 28; ++k)
+        EXPECT_NEAR(tiling(n, start + k / 4.0, 0), twelfths[n - 19][k] / 12.0, 1e-5) << n << " at " << start + k / 4.0;
+}
+
 TEST(Tiling, TilesCoverThePlane) {
   // In every tiling a fine walk meets values from the edge (top of a class) down to the flat part, and never leaves (0,
   // 1].

@@ -124,10 +124,11 @@ TEST(WidePoints, HaveTheNormalsOfEachPoint) {
         const textures::CompiledNormal& normal = *compiler.normal(scene.objects.at(0)->texture->layers.at(0).normal);
         for (int round = 0; round < 10; ++round) {
           RandomPoints p(round);
-          Vec3 normals[PointBatch::kMax];
+          Vec3 normals[PointBatch::kMax], before[PointBatch::kMax];
+          for (int i = 0; i < p.count; ++i) normals[i] = before[i] = p.alone[i].normal;
           textures::perturb(normal, p.count, p.points, p.surfaces, normals);
           for (int i = 0; i < p.count; ++i) {
-            const Vec3 alone = textures::perturb(normal, p.points.at(i), p.alone[i]);
+            const Vec3 alone = textures::perturb(normal, p.points.at(i), before[i], p.alone[i]);
             ASSERT_TRUE(same_bits(normals[i], alone)) << round << ' ' << i << " of " << p.count;
             ASSERT_TRUE(same_bits(p.together[i].normal, p.alone[i].normal)) << round << ' ' << i << " of " << p.count;
             journal.add(alone);

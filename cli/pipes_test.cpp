@@ -1,4 +1,5 @@
-// Scenes that come through standard input, pipes and devices, and pictures that leave through standard output.
+// Scenes that come to the program (VERISIM_BINARY_DIR/bin/verisim, cli/process_fixture.h) through standard input, pipes
+// and devices, and pictures that leave through standard output.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>

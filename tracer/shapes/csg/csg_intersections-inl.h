@@ -187,8 +187,8 @@ void cross_box(Search<Number>& s, const CsgNode& n) {
 }
 
 // Rays of a prism's own space that surely meet none of its surfaces: between the planes of its caps they stay on one
-// side of the box of its outline, or those lie behind them. A quarter of what looking at four walls takes; rays in the
-// box of a plate that stands aslant mostly pass it. What rounding could decide is left to the walls.
+// side of the box of its outline, or those lie behind them. Rays in the box of a plate that stands aslant often pass it
+// so. What rounding could decide is left to the walls.
 template <class Number>
 HWY_INLINE typename Number::Mask passes_beside(const StraightPrism::Walls& prism, const PacketVector<Number>& o,
                                                const PacketVector<Number>& d) {

@@ -55,7 +55,7 @@ inline bool reflects_light(const scene::Finish& f) {
 
 // Opacity of a pigment colour for the surface's own light (spec 06 3.3).
 inline float surface_opacity(const Color& c, int version) {
-  return version < 370 ? 1.0f - (c.f * c.rgb().max() + c.t) : 1.0f - c.f - c.t;
+  return version < 370 ? 1.0f - (c.f * c.rgb().max() + c.t) : c.opacity();
 }
 
 // Ambient light and emission of a layer, each rounded by itself (spec 06 4.1).

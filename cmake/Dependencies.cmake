@@ -31,6 +31,8 @@ list(PREPEND CMAKE_FIND_LIBRARY_SUFFIXES .a)
 find_package(PNG REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(GIF 5 REQUIRED)
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_package(Deflate REQUIRED)
 set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
 set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})

@@ -36,7 +36,7 @@ endforeach()
 set(link_tracer "-lverisim_tracer -lgif -ldl -pthread")
 set(link_parser "-lverisim_parser")
 set(link_compare "-lverisim_compare")
-set(needs_tracer "Imath, fmt, tbb, libpng, zlib, libjpeg")
+set(needs_tracer "Imath, fmt, tbb, libpng, zlib, libdeflate, libjpeg")
 set(needs_parser "verisim-tracer, fmt")
 set(needs_compare "verisim-parser, verisim-tracer, fmt, tbb, libcrypto")
 foreach(library IN ITEMS tracer parser compare)
@@ -60,7 +60,7 @@ install(EXPORT verisimTargets NAMESPACE verisim:: DESTINATION ${package_folder} 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/verisimConfig.cmake.in ${PROJECT_BINARY_DIR}/verisimConfig.cmake
                               INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_LIBDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/verisimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/verisimConfig.cmake ${PROJECT_BINARY_DIR}/verisimConfigVersion.cmake
+install(FILES ${PROJECT_BINARY_DIR}/verisimConfig.cmake ${PROJECT_BINARY_DIR}/verisimConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/FindDeflate.cmake
         DESTINATION ${package_folder} COMPONENT dev)
 
 # A small project is built against an installed tree, as others would.

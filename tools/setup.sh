@@ -12,7 +12,7 @@ as_root() {
 
 # What the build and the tests need, by Debian 12's names (the CMake package of libopenimageio-dev asks for the tools, too).
 build_packages="g++ cmake ninja-build python3
-  libboost-dev libopenimageio-dev openimageio-tools libimath-dev libtbb-dev libpng-dev libjpeg62-turbo-dev
+  libboost-dev libopenimageio-dev openimageio-tools libimath-dev libtbb-dev libpng-dev libdeflate-dev libjpeg62-turbo-dev
   libtiff-dev libopenexr-dev libgif-dev libhwy-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libssl-dev libgtest-dev libgmock-dev
   libcpp-httplib-dev libseccomp-dev pybind11-dev python3-dev python3-numpy"
 [ "$(dpkg --print-architecture)" != amd64 ] || build_packages+=" libxbyak-dev"

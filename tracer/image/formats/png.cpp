@@ -1,11 +1,13 @@
 #include "tracer/image/formats/png.h"
 
+#include <libdeflate.h>
 #include <png.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <csetjmp>
 #include <ctime>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -74,6 +76,7 @@ class RowPacker {
         filtered_(plain_.size() + 1) {
     filtered_[0] = PNG_FILTER_VALUE_SUB;
   }
+  std::size_t row_size() const { return filtered_.size(); }  // bytes
   // The row as the file has it, before compression.
   const std::vector<png_byte>& pack(const std::uint16_t* in) {
     png_byte* const row = plain_.data();
@@ -98,20 +101,52 @@ class RowPacker {
   std::vector<png_byte> plain_, filtered_;
 };
 
-// A zlib stream, made in pieces of IDAT chunks. By zlib: faster libraries were tried (ISA-L), whose output hangs on
-// where the memory lies and on the processor; the same picture is the same file.
-class Deflater {
+void write_image_data(png_structp png, const png_byte* bytes, std::size_t size) {
+  png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), bytes, size);
+}
+
+// Compresses a picture as a whole, in one IDAT chunk: libdeflate takes half of zlib's time, and files are no larger.
+// (ISA-L, faster still, was tried: its output hangs on where memory lies and on the processor, while the same picture
+// shall be the same file.)
+class WholeDeflater {
  public:
-  Deflater() {
+  explicit WholeDeflater(std::size_t size)
+      : compressor_(libdeflate_alloc_compressor(kLevel), libdeflate_free_compressor), size_(size) {
+    if (!compressor_) throw std::bad_alloc();
+    bytes_ = std::make_unique_for_overwrite<png_byte[]>(size);
+    room_ = libdeflate_zlib_compress_bound(compressor_.get(), size);
+    out_ = std::make_unique_for_overwrite<png_byte[]>(room_);
+  }
+  // May leave by libpng's longjmp.
+  void put(png_structp png, const std::vector<png_byte>& row, bool last) {
+    std::copy(row.begin(), row.end(), bytes_.get() + filled_);
+    filled_ += row.size();
+    if (!last) return;
+    const std::size_t n = libdeflate_zlib_compress(compressor_.get(), bytes_.get(), size_, out_.get(), room_);
+    if (n == 0) png_error(png, "the picture cannot be compressed");
+    write_image_data(png, out_.get(), n);
+  }
+
+ private:
+  static constexpr int kLevel = 1;  // the others take 1.3 to 1.5 of its time for files 1 % smaller
+  std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor_;
+  std::size_t size_, filled_ = 0, room_;
+  std::unique_ptr<png_byte[]> bytes_, out_;
+};
+
+// Compresses a picture piece by piece, so that a large one is never in memory as a whole.
+class StreamDeflater {
+ public:
+  StreamDeflater() {
     // Of 250 scenes' pictures: 0.73 of the time of level 3, files 3 % larger; level 1: 0.68 and 5.5 %.
     constexpr int kLevel = 2;
     if (deflateInit(&stream_, kLevel) != Z_OK) throw std::bad_alloc();
     stream_.next_out = out_.data();
     stream_.avail_out = kChunk;
   }
-  ~Deflater() { deflateEnd(&stream_); }
-  Deflater(const Deflater&) = delete;
-  Deflater& operator=(const Deflater&) = delete;
+  ~StreamDeflater() { deflateEnd(&stream_); }
+  StreamDeflater(const StreamDeflater&) = delete;
+  StreamDeflater& operator=(const StreamDeflater&) = delete;
   // May leave by libpng's longjmp.
   void put(png_structp png, const std::vector<png_byte>& bytes, bool last) {
     stream_.next_in = const_cast<png_byte*>(bytes.data());
@@ -128,8 +163,7 @@ class Deflater {
  private:
   static constexpr uInt kChunk = 1 << 16;
   void write_chunk(png_structp png) {
-    if (stream_.avail_out < kChunk)
-      png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), out_.data(), kChunk - stream_.avail_out);
+    if (stream_.avail_out < kChunk) write_image_data(png, out_.data(), kChunk - stream_.avail_out);
     stream_.next_out = out_.data();
     stream_.avail_out = kChunk;
   }
@@ -140,6 +174,7 @@ class Deflater {
 using RowSource = std::function<void(int y, std::uint16_t* row)>;
 
 // Everything between here and the caller may be left by longjmp: no objects with destructors.
+template <class Deflater>
 bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options,
                const RowSource& rows, std::uint16_t* samples, RowPacker& packer, Deflater& deflater, png_text* texts,
                int text_count) {
@@ -225,10 +260,14 @@ void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& o
   std::vector<std::uint16_t> samples(static_cast<std::size_t>(picture.width) *
                                      static_cast<std::size_t>(picture.channels));
   RowPacker packer(picture);
-  const auto deflater = std::make_unique<Deflater>();  // its state takes some 100 kB
   Writer w;
-  if (!write_all(w, file, picture, options, rows, samples.data(), packer, *deflater, texts.data(),
-                 static_cast<int>(texts.size())))
+  const auto write = [&](auto deflater) {
+    return write_all(w, file, picture, options, rows, samples.data(), packer, *deflater, texts.data(),
+                     static_cast<int>(texts.size()));
+  };
+  constexpr std::size_t kLarge = 1 << 23;  // more than 1920 by 1080 of 8 bits
+  const std::size_t size = packer.row_size() * static_cast<std::size_t>(picture.height);
+  if (!(size > kLarge ? write(std::make_unique<StreamDeflater>()) : write(std::make_unique<WholeDeflater>(size))))
     throw std::runtime_error(w.failure.message);
 }
 

@@ -56,6 +56,24 @@ def gathered(settings, more=""):
     )
 
 
+def layered_sky(version):
+    """Large colours that cancel out but for a millionth, so that the last bit of each product shows."""
+    blend = "pigment { gradient <0.3, 0.5, 0.7> color_map { [0 %s50123, 61234, 43210%s>] [1 %s71234, 40123, 52345%s>] } } "
+    return (
+        GLOBAL.replace("3.7", version) + CAMERA + "sky_sphere { " + blend % ("rgb -<", "", "rgb -<", "")
+        + blend % ("rgbt <", ", 0.49999", "rgbt <", ", 0.499995") + "pigment { rgbt <0, 0, 0, 0.73> } emission 0.83 } "
+    )
+
+
+def own_light(version):
+    """What a transparent floor shines in two ways that cancel out but for a millionth."""
+    return (
+        GLOBAL.replace("3.7", version) + CAMERA + "plane { y, -2 pigment { rgb 1 } finish { ambient 0 emission 0.7 diffuse 0 } } "
+        "plane { y, -1.3 pigment { gradient <0.3, 0, 0.7> color_map { [0 rgbft <0.3, 0.5, 0.7, 0.2, 0.1>] [1 rgbft <0.6, 0.8, 0.2, 0.1, "
+        "0.8>] } } finish { ambient 54321.7 emission -<33136.25, 39654.85, 47259.9> diffuse 0 } } "
+    )
+
+
 SLAB = (
     "box { <-1.5, 3, -1.5>, <1.5, 5.2, 1.5> rotate <20, 0, 10> pigment { rgb <1.2503, 1.249, 1.2497> } finish { diffuse 0.8 "
     "} } "
@@ -254,6 +272,10 @@ SCENES |= {
                          "sphere { <1, 0, -1.5>, 1.2, 1 } } cutaway_textures } "),
     "cut_by_inverted": plain(more=FLOOR + "#default { pigment { rgb <1, 0.7, 0> } } difference { box { <0, -1, -2>, <2, 0.3, -1> } "
                              "merge { sphere { <1, 0.3, -2>, 0.6 pigment { rgb x } } } cutaway_textures } "),
+    "sky_layers": layered_sky("3.7"),
+    "sky_layers_legacy": layered_sky("3.6"),
+    "own_light": own_light("3.7"),
+    "own_light_legacy": own_light("3.6"),
     "pattern_aoi": floor("aoi frequency 1e5"),
     "pattern_aoi_no_bump_scale": floor("aoi } normal { bumps 0.7 no_bump_scale "),
     "pattern_slope_slanting": floor("slope { <1, 2, 0.3> altitude <0.1, 1, 0.3> } frequency 1e5"),

@@ -135,7 +135,8 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
   if (finish.subsurface && subsurface && scene_.settings.subsurface_radiosity)
     return {};  // enters through the surface instead
   const Rgb pigment = layer.pigment.rgb();
-  const float bright = (layer.filter * pigment).grey() * layer.opacity;
+  const auto opacity = static_cast<float>(layer.opacity);
+  const float bright = (layer.filter * pigment).grey() * opacity;
   TracerFinalGatherer gatherer(*this, tracer);
   shading::FinalGatherNotes ignored;
   shading::FinalGatherNotes& notes = ray.notes ? *ray.notes : ignored;
@@ -149,7 +150,7 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
                                  static_cast<double>(ray.weight) * bright * coefficient, ray.gather_depth};
       memory.light = state.radiosity->irradiance(query, gatherer, notes);
     }
-    return pigment * memory.light * (layer.opacity * coefficient);
+    return pigment * memory.light * (opacity * coefficient);
   };
   const Rgb front = side(finish.raw_diffuse, at.indirect, 1.0);
   return front + side(finish.raw_diffuse_back, at.indirect_back, -1.0);

@@ -65,8 +65,8 @@ struct Color {
   float grey() const { return 0.297f * r + 0.589f * g + 0.114f * b; }
   // Light passed per channel: f * (r,g,b) + t.
   Rgb transmission() const { return {f * r + t, f * g + t, f * b + t}; }
-  // 1 - f - t in double precision, then rounded, as in POV-Ray; may be negative, if only by 1e-8.
-  float opacity() const { return static_cast<float>(1.0 - f - t); }
+  // 1 - f - t, in double precision as in POV-Ray: may be negative, if only by 1e-8.
+  double opacity() const { return 1.0 - f - t; }
 
   Color& operator+=(const Color& o) {
     r += o.r, g += o.g, b += o.b, f += o.f, t += o.t;

@@ -57,7 +57,8 @@ class FirstSurface {
       top = false;
       Color c;
       const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
-      out.albedo += filter * c.rgb() * (weight * std::max(0.0f, shading::surface_opacity(c, scene_.version)));
+      out.albedo +=
+          filter * c.rgb() * (weight * std::max(0.0f, static_cast<float>(shading::surface_opacity(c, scene_.version))));
       if (colored) filter *= c.transmission();
     }
   }

@@ -24,9 +24,9 @@ struct SurfaceHit;
 struct LayerContext {
   const textures::CompiledLayer& layer;
   Color pigment;
-  Vec3 normal;    // perturbed, towards the viewer or as the normal pattern made it
-  float opacity;  // a_i of spec 06 3.3
-  Rgb filter;     // F_i: what the layers above let through
+  Vec3 normal;     // perturbed, towards the viewer or as the normal pattern made it
+  double opacity;  // a_i of spec 06 3.3
+  Rgb filter;      // F_i: what the layers above let through
 };
 
 // A ray on its way through media, up to a surface or, where `end` is null, for ever.

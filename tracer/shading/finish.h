@@ -53,14 +53,14 @@ inline bool reflects_light(const scene::Finish& f) {
   return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0;
 }
 
-// Opacity of a pigment colour for the surface's own light (spec 06 3.3).
-inline float surface_opacity(const Color& c, int version) {
-  return version < 370 ? 1.0f - (c.f * c.rgb().max() + c.t) : c.opacity();
+// Opacity of a pigment colour for the surface's own light, rounded where POV-Ray rounds it (spec 06 3.3).
+inline double surface_opacity(const Color& c, int version) {
+  return version < 370 ? 1.0 - (c.f * c.rgb().max() + c.t) : static_cast<float>(c.opacity());
 }
 
 // Ambient light and emission of a layer, each rounded by itself (spec 06 4.1).
-inline Rgb own_light(const scene::Finish& f, const Rgb& pigment, const Rgb& ambient_light, float opacity) {
-  return pigment * f.ambient * ambient_light * opacity + pigment * f.emission * opacity;
+inline Rgb own_light(const scene::Finish& f, const Rgb& pigment, const Rgb& ambient_light, double opacity) {
+  return scaled(pigment * f.ambient * ambient_light, opacity) + scaled(pigment * f.emission, opacity);
 }
 
 // How diffuse light falls off: abs(cosine)^brilliance.
@@ -68,8 +68,8 @@ inline double brilliance(float exponent, double cosine) {
   return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent);
 }
 // How much of the light that falls straight upon a layer it reflects diffusely; at an angle, but for crand.
-inline double diffuse_share(float opacity, float diffuse) { return static_cast<double>(opacity) * diffuse; }
-inline double diffuse_share(float opacity, float diffuse, float exponent, double cosine) {
+inline double diffuse_share(double opacity, float diffuse) { return opacity * diffuse; }
+inline double diffuse_share(double opacity, float diffuse, float exponent, double cosine) {
   return diffuse_share(opacity, diffuse) * brilliance(exponent, cosine);
 }
 

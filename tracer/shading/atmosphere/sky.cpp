@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "tracer/math/scaled.h"
+
 namespace verisim::shading {
 namespace {
 
@@ -9,11 +11,11 @@ namespace {
 class Blend {
  public:
   void add(const Color& c, const Rgb& emission) {
-    sum_ += c.rgb() * filter_ * emission * c.opacity();
+    sum_ += c.rgb() * static_cast<float>(c.opacity()) * filter_ * emission;
     filter_ *= c.transmission();
   }
   Color over(const Color& background, const Rgb& /*emission*/) const {
-    const Rgb whole = sum_ + background.rgb() * filter_ * background.opacity(),
+    const Rgb whole = sum_ + scaled(background.rgb(), background.opacity()) * filter_,
               through = filter_ * background.transmission();
     return {whole, 0, std::min(1.0f, std::fabs(through.grey()))};
   }
@@ -26,7 +28,7 @@ class Blend {
 class LegacyBlend {
  public:
   void add(const Color& c, const Rgb& /*emission*/) {
-    sum_ += c.rgb() * (passed_ * c.opacity());
+    sum_ += scaled(c.rgb(), passed_ * c.opacity());
     product_ = {product_.r * c.r, product_.g * c.g, product_.b * c.b, product_.f * c.f, product_.t * c.t};
     passed_ = std::fabs(product_.f) + std::fabs(product_.t);
   }
@@ -68,8 +70,8 @@ Color Sky::seen(const Vec3& direction, bool opaque) const {
   if (version_ < 370 && output_alpha_ && !opaque) return {0, 0, 0, 0, 1};
   const Color background = this->background(opaque);
   if (pigments_.empty()) {
-    const float a = background.opacity();
-    return {background.rgb() * a, 0, std::min(1.0f, std::fabs(background.transmission().grey()))};
+    return {scaled(background.rgb(), background.opacity()), 0,
+            std::min(1.0f, std::fabs(background.transmission().grey()))};
   }
   const Vec3 q = transform_.inverse_point(direction);
   const auto through = [&](auto blend) {

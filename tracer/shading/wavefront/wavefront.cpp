@@ -29,7 +29,7 @@ Wavefront::Wavefront(Tracer& tracer, bool asks_around)
     if (plain_sky_) sky_[opaque] = scene_.sky.seen({0, 0, 1}, opaque);
 }
 
-void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture,
+void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, double opacity, int texture,
                          const Part* part) {
   const int k = count_++;
   part_[k] = part;

@@ -54,7 +54,7 @@ class Wavefront {
     bool mirror = false;
     bool plain = false;  // constant, alone, without a mirror or a normal of its own
     Color color;
-    float opacity = 0;    // of the constant colour
+    double opacity = 0;   // of the constant colour
     Highlight highlight;  // Phong's, or where there is none Blinn's
     unsigned lobes = 0;   // how it responds to light, as bits
   };
@@ -67,7 +67,7 @@ class Wavefront {
     const Material* material = nullptr;
     Vec3 normal;
     Color color;
-    float opacity = 0;
+    double opacity = 0;
     double thickness = 0;  // of an iridescent film
     Rgb filter;            // of the layers above
     int index = 0;         // in its texture
@@ -148,7 +148,7 @@ class Wavefront {
   void apply_volumes(int count, const bool* cut_off, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
-  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture,
+  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, double opacity, int texture,
                 const Part* part);
   static LayerContext layer_context(const Part& part);
   void add_photons();

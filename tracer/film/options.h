@@ -14,25 +14,26 @@ struct Layers;  // tracer/film/layers.h
 enum class Sampler : std::uint8_t { povray, adaptive };
 
 struct Options {
-  int width = 160, height = 120;
-  int first_column = 0, last_column = -1, first_row = 0,
-      last_row = -1;  // inclusive, zero-based; -1: the edge of the image
+  int width = 160, height = 120;  // pixels
+  // The part of the picture that is made: pixels, inclusive, from 0; -1: to the edge.
+  int first_column = 0, last_column = -1, first_row = 0, last_row = -1;
   bool antialias = false;
-  int sampling_method = 1, antialias_depth = 3;
+  int sampling_method = 1;  // 1 or 2, POV-Ray's +AM
+  int antialias_depth = 3;  // POV-Ray's +R: method 1 takes depth^2 samples of a pixel, method 2 halves its sides
   Sampler sampler = Sampler::povray;  // adaptive takes the place of the methods; threshold and depth keep their meaning
-  float antialias_threshold = 0.3f;
-  double antialias_gamma = 2.5;
+  float antialias_threshold = 0.3f;   // of the sum of the channels' differences, each after antialias_gamma
+  double antialias_gamma = 2.5;       // an exponent: values are compared as v^(1 / gamma)
   bool jitter = true;
-  double jitter_amount = 1;
-  int quality = 9;
-  int block_size = 32;
+  double jitter_amount = 1;  // of the distance between samples
+  int quality = 9;           // 0 to 11, what is computed at all (spec 06 section 12)
+  int block_size = 32;       // pixels, width and height of what a thread draws at once
   // One of several parts of the picture, numbered from 0, for other machines to make the rest: the blocks that
   // parts_of() (tracer/render/blocks.h) deals out to it. Pixels of other blocks stay as they are.
   int part = 0, parts = 1;
-  int threads = 0;            // 0: all cores
+  int threads = 0;            // of this render; 0: one for each core
   bool output_alpha = false;  // POV-Ray's +UA: decides how backgrounds behave
   bool split_unions = false, remove_bounds = true;
-  int bounding_threshold = 3;  // see accel::Arrangement
+  int bounding_threshold = 3;  // objects; of fewer POV-Ray makes no hierarchy (accel::Arrangement)
   bool replay = false;         // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
   std::uint64_t seed = 0;
   // Radiosity samples from and to a file in POV-Ray's format (+RFI, +RFO); empty: none. Only heeded by scenes with

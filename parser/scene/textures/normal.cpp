@@ -47,8 +47,7 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       normal.accuracy = to_float(parser.parse_float());
       return true;
     case Word::no_bump_scale:
-      parser.next();
-      normal.no_bump_scale = parser.scene().settings.no_bump_scale = true;
+      normal.no_bump_scale = parse_no_bump_scale(parser);
       return true;
     case Word::slope_map:
       refuse_with_image(parser, normal, "slope_map");
@@ -109,5 +108,12 @@ scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start) {
 }
 
 scene::NormalPtr parse_normal(Parser& parser) { return parse_normal(parser, default_layer(parser).normal); }
+
+bool parse_no_bump_scale(Parser& parser) {
+  if (!parser.at(Word::no_bump_scale)) return false;
+  parser.next();
+  parser.scene().settings.no_bump_scale = true;
+  return true;
+}
 
 }  // namespace verisim::parser

@@ -41,6 +41,9 @@ const scene::PigmentPtr& blank_pigment();
 // A color, a pattern or a bump map alone, without modifiers. False: none of them.
 bool parse_pigment_type(Parser& parser, scene::Pigment& pigment);
 bool parse_normal_type(Parser& parser, scene::Normal& normal);
+// `no_bump_scale` at the cursor: the scene is told that it has one (tracer/textures/compile/shared_maps.cpp). False:
+// none.
+bool parse_no_bump_scale(Parser& parser);
 // Whole blocks that modify something.
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start);
 scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start);

@@ -80,15 +80,14 @@ void parse_plain_items(Parser& parser, Texture& texture) {
   for (;;) {
     Transform item;
     if (parse_part(parser, texture.layers.back())) continue;
-    if (parser.at(Word::no_bump_scale) && parser.version() >= 300) {
-      parser.next();
+    if (parser.version() >= 300 && parse_no_bump_scale(parser)) {
       for (scene::TextureLayer& layer : texture.layers) {
         if (!layer.normal) continue;
         auto normal = std::make_shared<scene::Normal>(*layer.normal);
         normal->no_bump_scale = true;
         layer.normal = normal;
       }
-      texture.no_bump_scale = parser.scene().settings.no_bump_scale = true;
+      texture.no_bump_scale = true;
       continue;
     }
     if (parse_transform_item(parser, item)) {
@@ -145,9 +144,8 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
       texture.texture_map = parse_texture_map(parser, kind == PatternKind::average);
       continue;
     }
-    if (parser.at(Word::no_bump_scale)) {
-      parser.next();
-      texture.no_bump_scale = parser.scene().settings.no_bump_scale = true;
+    if (parse_no_bump_scale(parser)) {
+      texture.no_bump_scale = true;
       continue;
     }
     if (!parse_pattern_modifier(parser, texture.pattern, PatternOwner::texture)) break;
@@ -242,9 +240,8 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
       return texture;
     }
     for (Transform item;;) {
-      if (parser.at(Word::no_bump_scale)) {
-        parser.next();
-        texture->no_bump_scale = parser.scene().settings.no_bump_scale = true;
+      if (parse_no_bump_scale(parser)) {
+        texture->no_bump_scale = true;
       } else if (parse_transform_item(parser, item)) {
         texture->pattern.prepend(item);
       } else {

@@ -126,6 +126,12 @@ void Parser::Impl::too_many_passes(std::string_view what) {
                     functions::kMaxPasses));
 }
 
+void Parser::Impl::nested_too_deeply() {
+  --depth;
+  fatal(Code::nesting_limit, fmt::format("Nested deeper than {} levels.", options.limits.max_depth),
+        "--max-depth raises this limit.");
+}
+
 void Parser::Impl::missing_surface(std::string_view what) {
   error(Code::incompatible, fmt::format("{} asks for uv_mapping, but there is no surface.", what));
 }

@@ -120,6 +120,9 @@ struct Parser::Impl {
   void look_at_clock() {
     if (coarse_milliseconds() >= next_look) check_limits();
   }
+  void look_at_clock_now_and_then() {
+    if (++looks % 16 == 0) look_at_clock();
+  }
   void check_limits();
   // A function's value, or the answer to a query, has to come by itself: nobody looks at limits meanwhile.
   template <typename Evaluate>
@@ -134,6 +137,7 @@ struct Parser::Impl {
     if (textures::MissingSurface::take()) missing_surface(what);
   }
   [[noreturn]] void too_many_passes(std::string_view what);
+  [[noreturn]] void nested_too_deeply();
   [[noreturn]] void missing_surface(std::string_view what);
   void start(std::shared_ptr<const TokenFile> main);
   void top_level();         // statements up to the end of the main file
@@ -410,6 +414,7 @@ struct Parser::Impl {
   std::size_t tokens_total = 0;
   std::uint64_t steps = 0, next_check = 1 << 16;
   std::int64_t next_look = 0;  // by coarse_milliseconds()
+  unsigned looks = 0;
   int depth = 0;
   int depth_of_parentheses = 0;
 
@@ -457,13 +462,9 @@ class Live {
 class Nesting {
  public:
   explicit Nesting(Parser::Impl& impl) : impl_(impl) {
-    impl.look_at_clock();
-    if (++impl.depth > impl.options.limits.max_depth) {
-      --impl.depth;
-      impl.fatal(Code::nesting_limit,
-                 "Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.",
-                 "--max-depth raises this limit.");
-    }
+    impl.look_at_clock_now_and_then();
+    if (++impl.depth > impl.options.limits.max_depth) [[unlikely]]
+      impl.nested_too_deeply();
   }
   ~Nesting() { --impl_.depth; }
   Nesting(const Nesting&) = delete;

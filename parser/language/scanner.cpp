@@ -117,6 +117,13 @@ void Scanner::leave_macro() {
   p_.symbols.pop();
 }
 
+void Scanner::leave_ended_macros() {
+  while (at_ == end_) {
+    at_ = calls_[macros_ - 1].behind;
+    leave_macro();
+  }
+}
+
 // What could be an error or a warning is left to the general path.
 bool Scanner::call(Term& out, int depth) {
   out.terms = 1;

@@ -80,12 +80,9 @@ class Scanner {
     return p_.begins_operand(*at_, blocked_);
   }
 
-  void advance() {
-    ++at_;
-    while (at_ == end_) {
-      at_ = calls_[macros_ - 1].behind;
-      leave_macro();
-    }
+  [[gnu::always_inline]] void advance() {
+    if (++at_ == end_) [[unlikely]]
+      leave_ended_macros();
   }
   bool closes(char punctuation) {
     if (at_->punctuation != punctuation) return false;
@@ -349,6 +346,7 @@ class Scanner {
   bool call(Term& out, int depth);
   bool macro(const Symbol& symbol, Term& out, int depth);
   void leave_macro();
+  void leave_ended_macros();
 
   bool arguments(double* values, int count, int depth) {
     advance();

@@ -255,7 +255,10 @@ void move_bounds(Object& object, const TransformSteps& steps) {
   if (box_steps(object)) {
     for (std::size_t i = 0; i < steps.size(); ++i) object.bounds = transformed(object.bounds, steps[i].t);
   } else if (!object.as<LightSource>()) {
-    object.bounds = bounds_from_numbers(object);
+    // What has no box of its own takes that of its first clip when it is moved, whatever the others are and even where
+    // that clip is inverted (spec 03 2.2).
+    const bool endless = object.as<Plane>() || object.as<Poly>();
+    object.bounds = endless && !object.clipped_by.empty() ? object.clipped_by[0]->bounds : bounds_from_numbers(object);
   }
 }
 
@@ -365,8 +368,8 @@ TexturePtr TransformSteps::moved(const TexturePtr& texture) const {
 void apply(Object& object, const TransformSteps& steps) {
   refit_clipped_quadric(object);
   move_shape(object, steps);
-  move_bounds(object, steps);
   move_guards(object, steps);
+  move_bounds(object, steps);
   if (!object.uv_mapping) move_textures(object, steps);
   object.interior = transformed(object.interior, steps.transforms().span());
 }

@@ -71,8 +71,6 @@ std::size_t left_part(std::span<const Node> range) {
 
 void split(std::span<Node> range, std::vector<Node>& nodes) {
   const int axis = longest_axis(range);
-  // Of equal ones POV-Ray's sort puts the later first.
-  std::reverse(range.begin(), range.end());
   std::stable_sort(range.begin(), range.end(),
                    [axis](const Node& a, const Node& b) { return a.sphere.center[axis] < b.sphere.center[axis]; });
   const std::size_t left = left_part(range);
@@ -85,7 +83,8 @@ void split(std::span<Node> range, std::vector<Node>& nodes) {
 
 std::vector<std::uint32_t> order_of(const std::vector<BoundingSphere>& spheres) {
   std::vector<Node> level;
-  for (std::size_t i = 0; i < spheres.size(); ++i) level.push_back({spheres[i], {static_cast<std::uint32_t>(i)}});
+  // POV-Ray sorts stably what it keeps from the last to the first.
+  for (std::size_t i = spheres.size(); i-- > 0;) level.push_back({spheres[i], {static_cast<std::uint32_t>(i)}});
   do {
     std::vector<Node> next;
     split(level, next);

@@ -127,6 +127,7 @@ class Builder {
     tile.top = (tile_class + 1.0) / classes_;
     tile.offset = offset;
     tile.minimum = flat_minimum;
+    tile.rank = tile_class;
     return tile;
   }
 
@@ -370,7 +371,11 @@ const Tiling* periodic_tiling(int number) {
     constexpr double kLean = 1e-13;
     for (const int n : {3, 6, 11, 12, 15, 18}) all[n - 1].lean = {kLean, kLean / 2};
     for (const int n : {5, 9}) all[n - 1].lean = {kLean / 8, kLean};
-    for (const int n : {9, 15}) all[n - 1].border = 1e-14;
+    for (const int n : {9, 11, 15}) all[n - 1].border = 1e-14;
+    for (const int n : {16, 17, 22, 23, 24}) all[n - 1].border = kLean, all[n - 1].ranked = true;
+    for (const int n : {22, 23, 24})
+      for (Tile& tile : all[n - 1].tiles)
+        if (tile.rank == 0) tile.rank = std::numeric_limits<int>::max();
     all[2].exchanged = true;
     for (const int n : {12, 13, 14}) all[n - 1].seams = n;
     for (const int n : {19, 20}) all[n - 1].border = kLean, all[n - 1].level_line = n;
@@ -405,6 +410,15 @@ std::pair<const Tile*, double> tile_at(const Tiling& t, double x, double z) {
   return {holder, distance};
 }
 
+// Of the tiles that share the border a point lies on, the one of the highest class, but of those of tilings with
+// dodecagons the lowest class goes first; `one` is one of them.
+const Tile* first_of_rank(const Tiling& t, double x, double z, const Tile* one) {
+  const Tile* first = one;
+  for (const Tile& tile : t.tiles)
+    if (distance_within(tile, x, z, -1) >= -t.border && tile.rank > first->rank) first = &tile;
+  return first;
+}
+
 // Where tilings 19 and 20 lean on the line z = 0, where all of a surface with uv coordinates may lie (measured, spec 05
 // 9.1).
 Vec2 lean_on_level_line(const Tiling& t, double x) {
@@ -434,9 +448,18 @@ double value_on_seam(const Tiling& t, bool along_z, double v, double z) {
   return ((five ? place < 2 * q ? 3 : 4 : 2) + within) / (five ? 5 : 3);
 }
 
+// What lies hardly beside a multiple of 1/2, where borders are, goes so far from it that the way into the cell does not
+// hide on which side it is.
+double beside_border(double v) {
+  constexpr double kFar = 1e-12;
+  const double line = std::round(2 * v) / 2, beside = v - line;
+  return beside != 0 && std::fabs(beside) < kFar ? line + std::copysign(kFar, beside) : v;
+}
+
 }  // namespace
 
 double evaluate_tiling(const Tiling& t, double x, double z) {
+  if (t.border > 0 && t.level_line == 0) x = beside_border(x), z = beside_border(z);
   const bool exchanged = t.exchanged && x == std::floor(x);
   if (t.mirrored) {
     x = std::fabs(x - std::floor(x / 6) * 6 - 3);
@@ -453,7 +476,8 @@ double evaluate_tiling(const Tiling& t, double x, double z) {
   if (!holder) return 0;  // not a number
   if (!(distance > t.border)) {
     const Vec2 lean = t.level_line != 0 && z == 0 ? lean_on_level_line(t, x) : t.lean;
-    holder = tile_at(t, px + lean.x, pz + lean.y).first, distance = 0;
+    holder = t.ranked ? first_of_rank(t, px, pz, holder) : tile_at(t, px + lean.x, pz + lean.y).first;
+    distance = 0;
   }
   const double top = exchanged ? 1.5 - holder->top : holder->top;
   const double value = top - holder->step * distance + holder->offset;

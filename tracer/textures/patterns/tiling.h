@@ -19,6 +19,7 @@ struct Tile {
   double step = 1;     // 1 / number of classes
   double offset = 0;   // added everywhere in the tile
   double minimum = 0;  // lower bound of the value
+  int rank = 0;        // where it shares a border
 };
 
 // Tilings 1 .. 24: tiles that cover the cell spanned by two lattice vectors.
@@ -29,6 +30,7 @@ struct Tiling {
   // Whose a point on a border is: that of the tile in this direction, or, where it is zero, of the tile first listed.
   Vec2 lean{0, 0};
   double border = 0;       // how near to an edge is on it: more than 0 where the lattice has no exact coordinates
+  bool ranked = false;     // a point on a border is in the tile of the highest rank
   bool exchanged = false;  // tiling 3: its two classes are, where x is a whole number
   int level_line = 0;      // tilings 19 and 20: the number; on z = 0 they lean either way
   int seams = 0;           // tilings 12 to 14: the number; lines between their cells belong to no tile

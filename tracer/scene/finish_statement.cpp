@@ -136,7 +136,9 @@ class Walk {
     // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec
     // 03 5.3), and of these not texts, which are unions of letters.
     auto* csg = std::get_if<Csg>(&parent.shape);
-    const bool keeps_untextured = parent.cutaway_textures && csg && csg->kind == CsgKind::intersection;
+    const bool intersects =
+        csg ? csg->kind == CsgKind::intersection : parent.as<LightGroup>() != nullptr && parent.inverted;
+    const bool keeps_untextured = parent.cutaway_textures && intersects;
     for (ObjectPtr& pointer : own_children(parent)) {
       Object& child = writable(pointer);
       inherit(parent, child);

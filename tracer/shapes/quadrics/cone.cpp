@@ -41,7 +41,7 @@ double narrow_end(const scene::Cone& c) {
 class Cone final : public KernelPrimitive<Cone> {
  public:
   Cone(const scene::Object& description, const scene::Cone& c)
-      : KernelPrimitive(description, {cone_box(c)}),
+      : KernelPrimitive(description, {cone_box(c), std::max(c.base_radius, c.cap_radius) > 0}),
         cylinder_(cone_is_cylinder(c)),
         open_(c.open),
         narrow_(narrow_end(c)) {}

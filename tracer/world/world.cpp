@@ -167,7 +167,7 @@ void World::Impl::find_twice_filtering(std::size_t first) {
     if (const Surface& s = surfaces[i]; s.cutaway && s.remembered && may_block(s)) blockers.insert(s.remembered);
   for (std::size_t i = first; i < surfaces.size(); ++i) {
     Surface& s = surfaces[i];
-    s.filters_twice = !s.opaque && s.remembered && blockers.contains(s.remembered);
+    s.filters_twice = !s.opaque && !s.object->no_shadow && s.remembered && blockers.contains(s.remembered);
     filters_twice = filters_twice || s.filters_twice;
   }
 }

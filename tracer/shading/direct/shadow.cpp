@@ -60,6 +60,7 @@ bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape&
   if (!box_passes(remembered, ray.ray) ||
       !remembered.intersect(ray.ray, shapes::RayKind::shadow, kContactTolerance, distance, hit))
     return false;
+  if (hit.shape->surface->object->no_shadow) return false;  // casts one in the search only
   if (filter_through(query, ray, hit, color)) return true;
   shadow_volumes(query, ray, hit.t, true, color);
   // The ray has entered the object, and the search, which meets the same surface, has it leave.

@@ -54,6 +54,12 @@ class Hierarchy {
     }
   }
 
+  // Whether POV-Ray's test lets a ray into one box.
+  static bool enters(const Ray& ray, const scene::Bounds& bounds) {
+    double key;
+    return Slabs(ray).enters(bounds, key);
+  }
+
   // All entries in the order in which POV-Ray comes to those around a point: into each box as it is met.
   std::vector<std::uint32_t> in_turn() const;
 

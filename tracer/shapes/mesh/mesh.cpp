@@ -49,7 +49,8 @@ class Mesh final : public TreePrimitive<Mesh> {
     if (guards() || tree().empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     MeshPacket packet;
     const unsigned found = meet_packet(rays, entry, t_min, t_max, false, packet);
-    const unsigned searched = found & ((partial_ ? packet.passed_over : 0) | (in_order_ ? 0 : packet.met_two));
+    unsigned searched = found & ((partial_ ? packet.passed_over : 0) | (in_order_ ? 0 : packet.met_two));
+    searched |= refused_lanes(packet, found & ~searched);
     each_lane(found & ~searched, [&](int k) {
       hits[k] = {packet.t[k], rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]), 0, 0};
     });
@@ -61,7 +62,7 @@ class Mesh final : public TreePrimitive<Mesh> {
     if (guards() || tree().empty()) return Shape::occludes_packet(rays, entry, t_min, t_max);
     MeshPacket packet;
     const unsigned found = meet_packet(rays, entry, t_min, t_max, true, packet);
-    unsigned searched = 0;
+    unsigned searched = refused_lanes(packet, found);
     if (partial_) each_lane(found, [&](int k) { searched |= meets_before(t_min, rays.at(k), entry) ? 1u << k : 0; });
     return (found & ~searched) | Shape::occludes_packet({rays.rays, rays.first, searched}, entry, t_min, t_max);
   }
@@ -106,7 +107,24 @@ class Mesh final : public TreePrimitive<Mesh> {
     each_lane(rays.active, [&](int k) { found |= packet.triangle[k] >= 0 ? 1u << k : 0; });
     return found;
   }
-  // Whether the nearest hit is one of two in the same place.
+  // A ray that hardly leaves a plane of coordinates, where a face of the triangle's box may lie: rounding decides
+  // whether POV-Ray's search lets it into that box (spec 08 C).
+  bool refused(const Ray& ray, std::uint32_t triangle) const {
+    constexpr double kLevel = 1e-12;
+    const Vec3& d = ray.direction;
+    const bool level = std::fabs(d.x) < kLevel || std::fabs(d.y) < kLevel || std::fabs(d.z) < kLevel;
+    return level && !in_order_ && !accel::Hierarchy::enters(ray, geometry_->bounds(triangle));
+  }
+  unsigned refused_lanes(const MeshPacket& packet, unsigned lanes) const {
+    const LocalPacket& l = packet.rays;
+    unsigned result = 0;
+    each_lane(lanes, [&](int k) {
+      const Ray ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}};
+      if (refused(ray, static_cast<std::uint32_t>(packet.triangle[k]))) result |= 1u << k;
+    });
+    return result;
+  }
+  // Whether the nearest hit is one of two in the same place, or in a box that the ray is not let into.
   template <class Sink>
   bool every_intersection(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
     const LocalRay r = local(ray);
@@ -139,7 +157,7 @@ class Mesh final : public TreePrimitive<Mesh> {
           return limit();
         },
         entry);
-    return met_two;
+    return met_two || (nearest >= 0 && refused({r.origin, r.direction}, nearest_triangle));
   }
 
   // Whether the mesh has a hit nearer than the one that the caller took: one that is too near for it, or outside the

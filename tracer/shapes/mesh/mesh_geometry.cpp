@@ -161,6 +161,12 @@ MeshGeometry::Triangle MeshGeometry::prepared(std::uint32_t id) const {
   return triangle;
 }
 
+scene::Bounds MeshGeometry::bounds(std::uint32_t i) const {
+  Box3 box;
+  for (const std::uint32_t v : source(i).vertex) box.extendBy(f32(data_->vertices[v]));
+  return scene::make_bounds(box.min, box.max);
+}
+
 const accel::Hierarchy& MeshGeometry::hierarchy() const {
   std::call_once(hierarchy_built_, [this] {
     const std::vector<std::uint32_t>& order = tree_.order();
@@ -169,11 +175,7 @@ const accel::Hierarchy& MeshGeometry::hierarchy() const {
     std::sort(places.begin(), places.end(), [&](std::uint32_t a, std::uint32_t b) { return order[a] < order[b]; });
     std::vector<accel::Hierarchy::Item> items;
     items.reserve(places.size());
-    for (const std::uint32_t place : places) {
-      Box3 box;
-      for (const std::uint32_t v : source(place).vertex) box.extendBy(f32(data_->vertices[v]));
-      items.push_back({place, scene::make_bounds(box.min, box.max), false});
-    }
+    for (const std::uint32_t place : places) items.push_back({place, bounds(place), false});
     hierarchy_ = accel::Hierarchy(std::move(items));
   });
   return hierarchy_;

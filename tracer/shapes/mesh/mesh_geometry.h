@@ -57,6 +57,8 @@ class MeshGeometry {
   // Interpolated normal at a point of mesh space, not normalised.
   Vec3 smooth_normal(std::uint32_t i, const Vec3& p) const;
   Vec2 uv(std::uint32_t i, const Vec3& p) const;
+  // The box of a triangle, as POV-Ray's hierarchy has it.
+  scene::Bounds bounds(std::uint32_t i) const;
   // Shares of the three textures at p (spec 04 1.5), in the order of MeshTriangle::texture.
   std::array<float, 3> weights(std::uint32_t i, const Vec3& p) const;
   // Number of triangles hit by the local ray.

@@ -4,6 +4,7 @@
 #include "tracer/effects/effects_state.h"
 #include "tracer/math/constants.h"
 #include "tracer/shading/finish.h"
+#include "tracer/shapes/rays_within.h"
 
 namespace verisim::global {
 namespace {
@@ -46,6 +47,7 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
   }
 
   bool nearest(const Ray& ray, SurfaceHit& hit) override {
+    const shapes::RaysWithin within;
     shapes::Hit found;
     shading::RayState state = ray_;
     state.ray = ray;
@@ -55,6 +57,7 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
   }
 
   void nearest(const Vec3& origin, std::span<const Vec3> directions, SurfaceHit* hits, bool* found) override {
+    const shapes::RaysWithin within;
     RayBatch batch;
     shapes::Hit met[RayBatch::kSize];
     for (std::size_t begin = 0; begin < directions.size(); begin += RayBatch::kMax) {

@@ -139,18 +139,13 @@ class Estimator {
   // A place where light enters that leaves at the point.
   struct Entrance {
     Vec3 point, normal;  // geometric
-    Vec3 inward;         // the direction it was found in
     double weight;
     Channels reflected;  // share that leaves
     double worth() const { return weight * std::max({reflected[0], reflected[1], reflected[2]}); }
   };
   Entrance entrance(const Vec3& direction, const SubsurfaceEnvironment::SurfaceHit& hit) const {
     const double mm = settings_.mm_per_unit, t = hit.t * mm;
-    Entrance e{hit.point,
-               hit.normal,
-               direction,
-               4.0 * kPi * t * t / std::max(0.01, std::fabs(dot(direction, hit.normal))),
-               {}};
+    Entrance e{hit.point, hit.normal, 4.0 * kPi * t * t / std::max(0.01, std::fabs(dot(direction, hit.normal))), {}};
     const Vec3 offset = hit.point - point_.point;
     const double d2 = dot(offset, offset) * mm * mm;
     for (int c = 0; c < 3; ++c) e.reflected[c] = medium_.extinction[c] > 0.0 ? dipole(d2, c, medium_, a_) : 0.0;
@@ -169,7 +164,7 @@ class Estimator {
       const Channels light = channels(color);
       for (int c = 0; c < 3; ++c) arriving[c] += share * light[c];
     }
-    if (Rgb light; environment_.irradiance(e.point, dot(e.normal, e.inward) > 0.0 ? e.normal : -e.normal, light)) {
+    if (Rgb light; environment_.irradiance(e.point, e.normal, light)) {
       const double share = e.weight * fresnel_transmittance(1.0, eta_) * out_transmittance_;
       const Channels indirect = channels(light);
       for (int c = 0; c < 3; ++c) arriving[c] += share * indirect[c];

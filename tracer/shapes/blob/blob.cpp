@@ -18,6 +18,7 @@
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/scratch.h"
+#include "tracer/shapes/rays_within.h"
 
 namespace verisim::shapes {
 namespace {
@@ -297,11 +298,10 @@ class Blob final : public SearchPrimitive<Blob> {
     }
   }
 
-  // Hits nearer than this are none. Searches from within (subsurface scattering) ask for everything in front, and
-  // POV-Ray's own leave nothing out there.
+  // Hits nearer than this are none, but for searches from within.
   template <class Sink>
-  static double nearest(const Sink& sink) {
-    return Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
+  static double nearest(const Sink&) {
+    return RaysWithin::now() ? 1e-7 : kNearest;
   }
 
   struct Range {

@@ -153,7 +153,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   using MapPtr = std::shared_ptr<const julia::Map>;
 
   JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
-      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true, false}),
+      // What functions without a map ask of their inside is not bounded along z (spec 04 8).
+      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), map != nullptr, false}),
         iteration_(f),
         radius_(julia::bounding_radius(f)),
         map_(std::move(map)) {

@@ -9,6 +9,12 @@
 namespace verisim::global {
 namespace {
 
+// That of the shape, which `inverse` does not turn.
+Vec3 outward_normal(const shapes::Hit& hit) {
+  const Vec3 n = hit.shape->normal(hit);
+  return hit.shape->object->inverted ? -n : n;
+}
+
 constexpr std::uint32_t kCycle = 32767;  // of both sequences
 
 // Directions uniform on the sphere, Halton bases 2 and 3 (spec 07 5.2).
@@ -52,7 +58,7 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
     shading::RayState state = ray_;
     state.ray = ray;
     if (!tracer_.nearest(state, found, std::numeric_limits<double>::min())) return false;
-    hit = {found.t, found.point, found.shape->normal(found), found.shape->surface->interior};
+    hit = {found.t, found.point, outward_normal(found), found.shape->surface->interior};
     return true;
   }
 
@@ -70,7 +76,7 @@ class SubsurfaceSurroundings : public SubsurfaceEnvironment {
                                             std::numeric_limits<double>::min(), nullptr, met, found + begin);
       for (std::size_t i = 0; i < size; ++i) {
         if (found[begin + i])
-          hits[begin + i] = {met[i].t, met[i].point, met[i].shape->normal(met[i]), met[i].shape->surface->interior};
+          hits[begin + i] = {met[i].t, met[i].point, outward_normal(met[i]), met[i].shape->surface->interior};
       }
     }
   }

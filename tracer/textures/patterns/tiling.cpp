@@ -459,7 +459,6 @@ double beside_border(double v) {
 }  // namespace
 
 double evaluate_tiling(const Tiling& t, double x, double z) {
-  if (t.border > 0 && t.level_line == 0) x = beside_border(x), z = beside_border(z);
   const bool exchanged = t.exchanged && x == std::floor(x);
   if (t.mirrored) {
     x = std::fabs(x - std::floor(x / 6) * 6 - 3);
@@ -474,6 +473,11 @@ double evaluate_tiling(const Tiling& t, double x, double z) {
   const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
   auto [holder, distance] = tile_at(t, px, pz);
   if (!holder) return 0;  // not a number
+  constexpr double kHardly = 1e-11;
+  if (distance < kHardly && t.border > 0 && t.level_line == 0) {
+    const double beside_x = beside_border(x), beside_z = beside_border(z);
+    if (beside_x != x || beside_z != z) return evaluate_tiling(t, beside_x, beside_z);
+  }
   if (!(distance > t.border)) {
     const Vec2 lean = t.level_line != 0 && z == 0 ? lean_on_level_line(t, x) : t.lean;
     holder = t.ranked ? first_of_rank(t, px, pz, holder) : tile_at(t, px + lean.x, pz + lean.y).first;

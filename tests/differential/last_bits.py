@@ -2,14 +2,16 @@
 """Pictures of 16 bits, without gamma, of one object under one feature each, by POV-Ray and by verisim: where a product is
 rounded in another order, one pixel in a thousand differs by one of 65,536.
 
-usage: last_bits.py [--verisim PROGRAM] [--size 320x240] [--only TEXT] [--kept FOLDER] [--all]
+usage: last_bits.py [--verisim PROGRAM] [--size 320x240] [--only TEXT] [--kept FOLDER] [--all] [--magnified]
 
 Prints how many pixels of which scenes differ, and by how much (--all: also of those that do not). With --kept the
 pictures stay in FOLDER (NAME.pov.png, NAME.ours.png), for finding the order with numpy: it is one of the few there are,
-which has no pixel off. Exit status 1 if a scene differs in more pixels than KNOWN says, or by more than one unit; 77:
+which has no pixel off. With --magnified each scene is seen in a mirror that multiplies by 256 and takes a whole number
+away: all 24 bits of those pixels that then are between black and white. Exit status 1 if a scene differs in more pixels than KNOWN says, or by more than one unit; 77:
 there is no POV-Ray.
 """
 import argparse
+import collections
 import concurrent.futures
 import pathlib
 import shutil
@@ -21,6 +23,11 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "planted"))
 import png
 
 CAMERA = "camera { location <0.3, 1.7, -5> look_at <0, 0.2, 0> angle 50 } "
+# The same view by way of a mirror before the camera.
+MIRRORED = (
+    "camera { location <0.3, 1.7, -4.8> look_at <0, 0.2, -9.8> angle 50 } plane { z, -4.9 pigment { rgb 1 } finish { ambient 0 "
+    "diffuse 0 emission %d reflection %d } no_shadow no_reflection hollow } "
+)
 LIGHT = "light_source { <4, 7, -5> rgb <0.83, 0.71, 0.93> } "
 GLOBAL = "#version 3.7; global_settings { assumed_gamma 1 ambient_light rgb <0.61, 0.73, 0.87> } "
 BALL = "sphere { 0, 1.3 pigment { rgb <0.71, 0.43, 0.29> } finish { ambient 0.13 diffuse 0.67 %s } } "
@@ -298,20 +305,37 @@ def render(program, scene, picture, size, extra):
     subprocess.run(command + extra, cwd=scene.parent, stdin=subprocess.DEVNULL, capture_output=True, check=True)
 
 
-def difference(name, options, folder):
+def pictures(name, text, switches, options, folder):
     scene = folder / f"{name}.pov"
-    text, *switches = SCENES[name] if isinstance(SCENES[name], tuple) else (SCENES[name],)
     scene.write_text(text)
-    pov, ours = folder / f"{name}.pov.png", folder / f"{name}.ours.png"
+    result = []
+    for program, of, extra in ((options.povray, "pov", ["+WT1"]), (options.verisim, "ours", ["+WT1", "--replay"])):
+        render(program, scene, folder / f"{name}.{of}.png", options.size, [*switches, *extra])
+        result.append(png.read(folder / f"{name}.{of}.png")[2])
+    return result
+
+
+def magnified(name, text, switches, options, folder):
+    """The samples of both pictures that are neither black nor white, where most different ones are."""
+    shown = collections.defaultdict(set)
+    for value in pictures(name, text.replace(CAMERA, MIRRORED % (0, 1)), switches, options, folder)[1]:
+        shown[value // 256].add(value)
+    level = max((level for level in shown if level < 255), key=lambda level: len(shown[level]))
+    pair = pictures(name, text.replace(CAMERA, MIRRORED % (-level, 256)), switches, options, folder)
+    return zip(*((a, b) for a, b in zip(*pair) if 0 < a < 65535 and 0 < b < 65535))
+
+
+def difference(name, options, folder):
+    text, *switches = SCENES[name] if isinstance(SCENES[name], tuple) else (SCENES[name],)
+    look = magnified if options.magnified else pictures
     try:
-        render(options.povray, scene, pov, options.size, [*switches, "+WT1"])
-        render(options.verisim, scene, ours, options.size, [*switches, "+WT1", "--replay"])
+        a, b = look(name, text, switches, options, folder)
     except subprocess.CalledProcessError as error:
         return -1, 0, f"{name}: {(error.stderr or b'').decode(errors='replace')[-300:]}"
-    (_, _, a), (_, _, b) = png.read(pov), png.read(ours)
-    largest = [max(abs(x - y) for x, y in zip(a[k : k + 3], b[k : k + 3])) for k in range(0, len(a), 3)]
+    unit = 1 if options.magnified else 3
+    largest = [max(abs(x - y) for x, y in zip(a[k : k + unit], b[k : k + unit])) for k in range(0, len(a), unit)]
     count = sum(l > 0 for l in largest)
-    return count, max(largest), f"{name}: {count} px by {max(largest)}"
+    return count, max(largest), f"{name}: {count} {'samples' if unit == 1 else 'px'} of {len(largest)} by {max(largest)}"
 
 
 def main():
@@ -323,11 +347,13 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--kept", type=pathlib.Path)
     parser.add_argument("--all", action="store_true")
+    parser.add_argument("--magnified", action="store_true")
     options = parser.parse_args()
     if not shutil.which(options.povray):
         return 77
     options.verisim = str(pathlib.Path(options.verisim).resolve())
-    names = [name for name in SCENES if options.only in name]
+    texts = {name: scene[0] if isinstance(scene, tuple) else scene for name, scene in SCENES.items()}
+    names = [name for name, text in texts.items() if options.only in name and (CAMERA in text or not options.magnified)]
     unknown = 0
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         folder = options.kept.resolve() if options.kept else pathlib.Path(folder)

@@ -105,7 +105,7 @@ void write_image_data(png_structp png, const png_byte* bytes, std::size_t size) 
   png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), bytes, size);
 }
 
-// Compresses a picture as a whole, in one IDAT chunk: libdeflate takes half of zlib's time, and files are no larger.
+// Compresses a picture as a whole, in one IDAT chunk: libdeflate takes half of zlib's time for files of the same size.
 // (ISA-L, faster still, was tried: its output hangs on where memory lies and on the processor, while the same picture
 // shall be the same file.)
 class WholeDeflater {

@@ -287,7 +287,7 @@ class Blob final : public SearchPrimitive<Blob> {
     Scratch<Event> events;
     add_events(pieces, start, span, events);
     Intervals intervals(l, &events[0], events.size(), &pieces[0], threshold_);
-    const double too_near = (0.5 * nearest(sink) * l.scale - start) / span;
+    const double too_near = (0.5 * nearest() * l.scale - start) / span;
     while (intervals.next()) {
       if (intervals.depth(intervals.from) > sink.upper()) return;
       if (intervals.depth(intervals.to) < sink.lower()) continue;
@@ -299,10 +299,7 @@ class Blob final : public SearchPrimitive<Blob> {
   }
 
   // Hits nearer than this are none, but for searches from within.
-  template <class Sink>
-  static double nearest(const Sink&) {
-    return RaysWithin::now() ? 1e-7 : kNearest;
-  }
+  static double nearest() { return RaysWithin::now() ? 1e-7 : kNearest; }
 
   struct Range {
     double least, most;
@@ -352,7 +349,7 @@ class Blob final : public SearchPrimitive<Blob> {
   template <class Sink>
   static bool report(const Ray& ray, const Intervals& intervals, double root, Sink& sink) {
     const double depth = intervals.depth(root);
-    return depth > nearest(sink) && depth < kFarthest &&
+    return depth > nearest() && depth < kFarthest &&
            sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
   }
 

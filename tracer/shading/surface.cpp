@@ -39,6 +39,15 @@ class ToldTexture {
 
 }  // namespace
 
+textures::SurfacePoint texture_point(const shapes::Hit& hit, const Vec3& normal, const Vec3& direction) {
+  return {hit.point, normal, direction,
+          [](const void* context) {
+            const auto& seen = *static_cast<const shapes::Hit*>(context);
+            return seen.shape->uv(seen);
+          },
+          &hit};
+}
+
 SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache,
                        int child_level)
     : hit(h),
@@ -48,12 +57,7 @@ SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& dir
       light_cache(cache),
       level(child_level) {
   if (inside_hit) geometric_normal = -geometric_normal;
-  texture_point = {h.point, geometric_normal, direction,
-                   [](const void* context) {
-                     const auto& seen = *static_cast<const shapes::Hit*>(context);
-                     return seen.shape->uv(seen);
-                   },
-                   &h};
+  texture_point = shading::texture_point(h, geometric_normal, direction);
 }
 
 Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {

@@ -31,6 +31,9 @@ struct Cancelled {};
 
 struct ShadowBatch;
 
+// What textures know of a hit, which outlives it; `normal`: the geometric one, turned towards the ray.
+textures::SurfacePoint texture_point(const shapes::Hit& hit, const Vec3& normal, const Vec3& direction);
+
 // One hit while it is being shaded.
 struct SurfaceHit {
   SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level)

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "tracer/world/coherent_rays.h"
@@ -41,14 +43,36 @@ struct AntialiasSettings {
 };
 AntialiasSettings antialias_settings(const Options& options, scene::Gamma working, double working_gamma);
 
-// A colour as two samples are compared: encoded r, g, b and plain transmit.
-struct Compared {
-  float r, g, b, t;
-  bool differs(const Compared& o, float threshold) const {
-    return std::fabs(r - o.r) + std::fabs(g - o.g) + std::fabs(b - o.b) + std::fabs(t - o.t) >= threshold;
+// Tells whether two samples differ so much that there must be more between them.
+class SampleComparison {
+ public:
+  explicit SampleComparison(const AntialiasSettings& settings);
+
+  // A colour for `differ`.
+  struct Sample {
+    Color color;
+    float r = 0, g = 0, b = 0;  // encoded, to about 1e-4
+  };
+  Sample sample(const Color& color) const;
+  bool differ(const Sample& a, const Sample& b) const {
+    const float difference =
+        std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b) + std::fabs(a.color.t - b.color.t);
+    if (difference >= certain_) return true;
+    if (difference < certainly_not_) return false;
+    return truly_differ(a.color, b.color);
   }
+
+ private:
+  float encode(float v) const;
+  float look_up(float v) const;
+  bool truly_differ(const Color& a, const Color& b) const;
+
+  // The upper bits of floats from 2^-14 to 2 tell the cell.
+  static constexpr std::uint32_t kShift = 18, kFirst = 0x38800000 >> kShift, kCells = (0x40000000 >> kShift) - kFirst;
+  const AntialiasSettings settings_;
+  float certain_, certainly_not_;           // differences that the error of `look_up` does not change
+  std::array<float, kCells + 1> values_{};  // where cells begin
 };
-Compared encode_for_comparison(const Color& c, const AntialiasSettings& settings);
 
 // Samples at (x, y), (x + 1, y) ...; together, if the sampler knows how.
 template <class Sampler>
@@ -104,7 +128,8 @@ void render_plain(const Block& block, Sampler&& sample, const BlockPixels& out) 
 template <class Sampler>
 class AdaptiveGrid {
  public:
-  AdaptiveGrid(const AntialiasSettings& settings, Sampler& sample) : settings_(settings), sample_(sample) {}
+  AdaptiveGrid(const AntialiasSettings& settings, Sampler& sample)
+      : settings_(settings), comparison_(settings), sample_(sample) {}
 
   void render(const Block& block, const BlockPixels& out) {
     stride_ = block.width + 1;
@@ -118,18 +143,17 @@ class AdaptiveGrid {
     else
       refine_in_order(block);
     for (int y = block.y; y < block.y + block.height; ++y)
-      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).color;
+      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).seen.color;
   }
 
  private:
   struct Cell {
-    Color color;
-    Compared compared;
+    SampleComparison::Sample seen;
     bool done = false;  // supersampled already, or not to be
   };
   Cell& cell(int x, int y) { return cells_[static_cast<std::size_t>(y - origin_y_) * stride_ + (x - origin_x_)]; }
 
-  void set(Cell& c, const Color& color) { c.color = color, c.compared = encode_for_comparison(color, settings_); }
+  void set(Cell& c, const Color& color) { c.seen = comparison_.sample(color); }
 
   void trace_centres(int x, int y, int count) {
     row_.resize(static_cast<std::size_t>(count));
@@ -168,8 +192,8 @@ class AdaptiveGrid {
 
   void refine(int x, int y) {
     const Cell &here = cell(x, y), &left = cell(x - 1, y), &top = cell(x, y - 1);
-    const bool left_differs = here.compared.differs(left.compared, settings_.threshold);
-    const bool top_differs = here.compared.differs(top.compared, settings_.threshold);
+    const bool left_differs = comparison_.differ(here.seen, left.seen);
+    const bool top_differs = comparison_.differ(here.seen, top.seen);
     if (left_differs) ask(x - 1, y);
     if (top_differs) ask(x, y - 1);
     if (left_differs || top_differs) ask(x, y);
@@ -198,7 +222,7 @@ class AdaptiveGrid {
     const std::size_t samples = places_.size() / waiting_.size();
     const auto count = static_cast<float>(samples + 1);
     for (std::size_t k = 0; k < waiting_.size(); ++k) {
-      Color sum = waiting_[k]->color;
+      Color sum = waiting_[k]->seen.color;
       for (std::size_t i = 0; i < samples; ++i) sum += row_[k * samples + i];
       set(*waiting_[k], {sum.r / count, sum.g / count, sum.b / count, sum.f / count, sum.t / count});
     }
@@ -207,6 +231,7 @@ class AdaptiveGrid {
   }
 
   const AntialiasSettings settings_;
+  const SampleComparison comparison_;
   Sampler& sample_;
   int stride_ = 0, origin_x_ = 0, origin_y_ = 0;
   std::vector<Cell> cells_;
@@ -221,6 +246,7 @@ class RecursiveQuads {
  public:
   RecursiveQuads(const AntialiasSettings& settings, Sampler& sample)
       : settings_(settings),
+        comparison_(settings),
         sample_(sample),
         side_((1 << (settings.depth - 1)) + 1),
         points_(static_cast<std::size_t>(side_) * side_) {}
@@ -249,14 +275,12 @@ class RecursiveQuads {
 
  private:
   struct Point {
-    Color color;
-    Compared compared;
+    SampleComparison::Sample seen;
     std::uint64_t stamp = 0;  // of the pixel it was traced for
   };
   Point& at(int i, int j) { return points_[static_cast<std::size_t>(j) * side_ + i]; }
   void set(Point& p, const Color& color) {
-    p.color = color;
-    p.compared = encode_for_comparison(p.color, settings_);
+    p.seen = comparison_.sample(color);
     p.stamp = stamp_;
   }
 
@@ -282,9 +306,9 @@ class RecursiveQuads {
     const Point corner[4] = {at(i, j), at(i + size, j), at(i, j + size), at(i + size, j + size)};
     bool differ = false;
     for (int a = 0; levels > 0 && a < 3; ++a)
-      for (int b = a + 1; b < 4; ++b)
-        differ = differ || corner[a].compared.differs(corner[b].compared, settings_.threshold);
-    if (!differ) return (corner[0].color + corner[2].color + corner[1].color + corner[3].color) * 0.25f;
+      for (int b = a + 1; b < 4; ++b) differ = differ || comparison_.differ(corner[a].seen, corner[b].seen);
+    if (!differ)
+      return (corner[0].seen.color + corner[2].seen.color + corner[1].seen.color + corner[3].seen.color) * 0.25f;
     const int half = size / 2;
     ask(i, j + half), ask(i + half, j), ask(i + size, j + half), ask(i + half, j + size), ask(i + half, j + half);
     trace_waiting();
@@ -296,6 +320,7 @@ class RecursiveQuads {
   }
 
   const AntialiasSettings settings_;
+  const SampleComparison comparison_;
   Sampler& sample_;
   int side_;
   double pixel_x_ = 0, pixel_y_ = 0;

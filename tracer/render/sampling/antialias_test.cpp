@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "tracer/image/gamma.h"
 #include "tracer/image/output.h"
 #include "tracer/render/cameras/camera_rays.h"
 #include "tracer/render/sampling/antialias.h"
@@ -134,6 +138,52 @@ TEST(AdaptiveGrid, PixelsThatDoNotWaitForEachOtherAreSupersampledTogether) {
                all = plain + static_cast<std::size_t>(9 * block.width * block.height);
     EXPECT_GT(together.asked.size(), plain);
     EXPECT_LT(together.asked.size(), all);
+  }
+}
+
+// The sum of differences between encoded channels, as spec 02 3.3 has it.
+bool differ_by_definition(const Color& a, const Color& b, const AntialiasSettings& s) {
+  const auto encode = [&s](float v) {
+    if (s.identity) return v;
+    return std::pow(std::fmax(s.decode_srgb ? image::srgb_decode(v) : v, 0.0f), s.exponent);
+  };
+  return std::fabs(encode(a.r) - encode(b.r)) + std::fabs(encode(a.g) - encode(b.g)) +
+             std::fabs(encode(a.b) - encode(b.b)) + std::fabs(a.t - b.t) >=
+         s.threshold;
+}
+
+TEST(SampleComparison, DecidesByTheEncodedColours) {
+  std::mt19937 random(7);
+  const float odd[] = {0, -0.0f, -1, 1e-6f, 2, 1e30f, std::numeric_limits<float>::infinity(), std::nanf("")};
+  const auto channel = [&] {
+    std::uniform_real_distribution<float> exponent(-18, 3);
+    return random() % 16 == 0 ? odd[random() % std::size(odd)] : std::exp2(exponent(random));
+  };
+  for (const auto& [gamma, working, threshold] : {std::tuple(0.0f, scene::Gamma::power, 0.3f),
+                                                  {2.5f, scene::Gamma::power, 0.3f},
+                                                  {2.5f, scene::Gamma::srgb, 0.1f},
+                                                  {0.2f, scene::Gamma::power, 0.02f},
+                                                  {9.0f, scene::Gamma::power, 0.0f}}) {
+    Options options;
+    options.antialias_gamma = gamma, options.antialias_threshold = threshold;
+    const AntialiasSettings settings = antialias_settings(options, working, 1);
+    const SampleComparison comparison(settings);
+    int differ = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const Color a(channel(), channel(), channel(), 0, 0.1f);
+      Color b = a;
+      // As far from it in one channel as the threshold is, to the last bits.
+      const float encoded = settings.identity ? a.g : std::pow(std::fmax(a.g, 0.0f), settings.exponent) + threshold;
+      b.g = settings.identity ? a.g + threshold : std::pow(encoded, 1 / settings.exponent);
+      for (int k = static_cast<int>(random() % 9); k > 0; --k) b.g = std::nextafter(b.g, random() % 2 ? 9.0f : 0.0f);
+      if (i % 4 == 0) b = {channel(), channel(), channel(), 0, 0.3f};
+      const bool expected = differ_by_definition(a, b, settings);
+      ASSERT_EQ(comparison.differ(comparison.sample(a), comparison.sample(b)), expected)
+          << a.r << ' ' << a.g << ' ' << a.b << ", " << b.r << ' ' << b.g << ' ' << b.b << ", gamma " << gamma;
+      differ += expected;
+    }
+    EXPECT_GT(differ, 2000);
+    EXPECT_LT(differ, threshold > 0 ? 18000 : 20001);
   }
 }
 

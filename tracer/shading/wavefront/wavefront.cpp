@@ -29,10 +29,9 @@ Wavefront::Wavefront(Tracer& tracer, bool asks_around)
     if (plain_sky_) sky_[opaque] = scene_.sky.seen({0, 0, 1}, opaque);
 }
 
-void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, double opacity, int texture,
-                         const Part* part) {
+// The next lane, for a surface at hit i.
+int Wavefront::add_lane(int i, const Material& m, const Vec3& normal) {
   const int k = count_++;
-  part_[k] = part;
   pixel_[k] = i;
   surface_[k] = hits_[i].shape->surface;
   packet_.to_light.origin.set(k, hits_[i].point);
@@ -40,34 +39,66 @@ void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Col
   packet_.view.set(k, packet_.rays.direction.at(i));
   packet_.two_sided[k] = surface_[k]->double_illuminate;
   lobes_ |= m.lobes;
-  const scene::Finish& finish = m.layer->finish;
-  if (material_[k] == &m) {
-    if (m.constant && m.only && !indirect_) return;
-  } else {
-    material_[k] = &m;
-    finish_[k] = &finish;
-    packet_.lit_behind[k] = finish.diffuse_back != 0;
-    packet_.dull[k] = !reflects_light(finish);
-    packet_.exponent[k] = m.highlight.exponent, packet_.amount[k] = m.highlight.amount,
-    packet_.dark_to[k] = m.highlight.dark_to, packet_.phong[k] = (m.lobes & kPhong) != 0;
-  }
-  packet_.front[k] = diffuse_share(opacity, std::max(finish.diffuse, 0.0f)),
-  packet_.behind[k] = diffuse_share(opacity, std::max(finish.diffuse_back, 0.0f));
+  return k;
+}
+
+void Wavefront::set_material(int k, const Material& m) {
+  material_[k] = &m;
+  finish_[k] = &m.layer->finish;
+  packet_.lit_behind[k] = finish_[k]->diffuse_back != 0;
+  packet_.dull[k] = !reflects_light(*finish_[k]);
+  packet_.exponent[k] = m.highlight.exponent, packet_.amount[k] = m.highlight.amount,
+  packet_.dark_to[k] = m.highlight.dark_to, packet_.phong[k] = (m.lobes & kPhong) != 0;
+}
+
+void Wavefront::set_opacity(int k, double opacity) {
+  packet_.front[k] = diffuse_share(opacity, std::max(finish_[k]->diffuse, 0.0f)),
+  packet_.behind[k] = diffuse_share(opacity, std::max(finish_[k]->diffuse_back, 0.0f));
+}
+
+void Wavefront::set_color(int k, const Rgb& color, double opacity) {
   packet_.pigment.r[k] = color.r, packet_.pigment.g[k] = color.g, packet_.pigment.b[k] = color.b;
-  Rgb own = own_light(finish, color.rgb(), scene_.ambient_light, opacity);
-  if (indirect_) {
-    begin_branch(i, RandomBranch::indirect(texture, part->index));
-    if (part->index == 0) met_[i].at->indirect = met_[i].at->indirect_back = {};  // as in Tracer::shade_layers
-    own += scene_.effects->indirect_light(tracer_, ray_state(i), *met_[i].at, layer_context(*part));
+  const Rgb own = own_light(*finish_[k], color, scene_.ambient_light, opacity);
+  packet_.own.r[k] = own.r, packet_.own.g[k] = own.g, packet_.own.b[k] = own.b;
+}
+
+// A material in a lane where it stands already has its numbers there, and, if it is of one colour, that: it is opaque
+// in parts, too.
+void Wavefront::add_single(int i) {
+  const Met& met = met_[i];
+  const Material& m = *met.single;
+  const int k = add_lane(i, m, met.normal);
+  part_[k] = nullptr;
+  if (material_[k] != &m) {
+    set_material(k, m);
+    set_opacity(k, 1);
+  } else if (m.constant) {
+    return;
   }
+  set_color(k, met.color, 1);
+}
+
+// `texture`: its number among those of the hit.
+void Wavefront::add_part(int i, const Part& part, int texture) {
+  const Material& m = *part.material;
+  const int k = add_lane(i, m, part.normal);
+  part_[k] = &part;
+  if (material_[k] != &m) set_material(k, m);
+  set_opacity(k, part.opacity);
+  set_color(k, part.color.rgb(), part.opacity);
+  if (!indirect_) return;
+  begin_branch(i, RandomBranch::indirect(texture, part.index));
+  if (part.index == 0) met_[i].at->indirect = met_[i].at->indirect_back = {};  // as in Tracer::shade_layers
+  const Rgb own = Rgb(packet_.own.r[k], packet_.own.g[k], packet_.own.b[k]) +
+                  scene_.effects->indirect_light(tracer_, ray_state(i), *met_[i].at, layer_context(part));
   packet_.own.r[k] = own.r, packet_.own.g[k] = own.g, packet_.own.b[k] = own.b;
 }
 
 // Takes what shows at hit i among the surfaces that are lit together; false: there is no room for it.
 bool Wavefront::add_surface(int i) {
-  if (const Material* plain = met_[i].plain) {
+  if (met_[i].single) {
     if (count_ == kMax) return false;
-    add_lane(i, *plain, met_[i].normal, plain->color, plain->opacity, 0, nullptr);
+    add_single(i);
     return true;
   }
   if (count_ + met_[i].parts > kMax) return false;
@@ -75,7 +106,7 @@ bool Wavefront::add_surface(int i) {
   for (int l = met_[i].first; l < met_[i].first + met_[i].leaves; ++l)
     for (int k = leaves_[static_cast<std::size_t>(l)].first; k >= 0;) {
       const Part& part = parts_[static_cast<std::size_t>(k)];
-      add_lane(i, *part.material, part.normal, part.color, part.opacity, l - met_[i].first, &part);
+      add_part(i, part, l - met_[i].first);
       k = part.next;
     }
   return true;
@@ -223,7 +254,7 @@ void Wavefront::sum_layers(Color* out) {
     const Met& met = met_[pixel_[k]];
     Color& result = out[pixel_[k]];
     Color sum;
-    if (met.plain) {
+    if (met.single) {
       sum += Rgb(packet_.direct.r[k], packet_.direct.g[k], packet_.direct.b[k]);
       ++k;
     }
@@ -253,7 +284,7 @@ void Wavefront::show(Color* out) {
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i]);
   if (photons_) add_photons();
-  if (leaves_.empty()) {  // plain surfaces alone
+  if (leaves_.empty()) {  // single materials alone
     for (int k = 0; k < count_; ++k)
       out[pixel_[k]] = Rgb() + Rgb(packet_.direct.r[k], packet_.direct.g[k], packet_.direct.b[k]);
   } else {
@@ -308,8 +339,10 @@ void Wavefront::shade(int count, Color* out) {
   leaves_.clear();
   parts_.clear();
   branches_.clear();
+  varying_count_ = 0;
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
+  find_singles();
   find_parts(count);
   trace_branches();
   show_sky(count, out);

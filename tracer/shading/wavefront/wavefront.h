@@ -52,9 +52,9 @@ class Wavefront {
     bool constant = false;  // the pigment has one colour
     bool only = false;      // the texture has no other layer
     bool mirror = false;
-    bool plain = false;  // constant, alone, without a mirror or a normal of its own
+    // Alone, opaque, without a mirror: where it shows nothing else does, and only its colour and normal may vary.
+    bool single = false;
     Color color;
-    double opacity = 0;   // of the constant colour
     Highlight highlight;  // Phong's, or where there is none Blinn's
     unsigned lobes = 0;   // how it responds to light, as bits
   };
@@ -87,26 +87,33 @@ class Wavefront {
     int behind = -1;  // the branch that goes on through the surface
   };
   struct Met {
-    bool together;          // false: the common way
-    const Material* plain;  // the only layer, of one colour and without a normal of its own; null: see leaves
-    Vec3 normal;            // with `plain`
+    bool together;           // false: the common way
+    const Material* single;  // all that shows; null: see leaves
+    Vec3 normal, point;      // with `single`: to shade with, and where its patterns are asked
+    Rgb color;
     int first = 0, leaves = 0, parts = 0;  // leaves and all their parts
-    std::optional<SurfaceHit> at;          // where the surface varies
+    std::optional<SurfaceHit> at;          // with leaves
   };
 
   bool shaded_together(const textures::CompiledTexture& texture) const;
   Materials find_materials(const textures::CompiledTexture& texture) const;
   const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);
+  void take_single(int i, const Material& material, const Vec3& normal);
+  void find_singles();
+  void find_singles(const Material& material, const int* rays, int n);
   void add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found);
   void add_weighted_leaves(int i);
+  template <class Key>
+  static int take_group(int* waiting, int& n, int* group, const Key& key);
   void find_parts(int count);
   void find_layers(int* leaves, int n);
   void find_thickness(const Material& material, const int* leaves, int n, double* thickness) const;
   void find_colors_and_normals(const Material& material, const int* leaves, int n);
+  bool faces_finitely(int i, const Vec3& normal) const;
   void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
                 double weight);
-  Part& add_part(Leaf& leaf);
+  Part& begin_part(Leaf& leaf);
   Rgb add_mirror(const Leaf& leaf, Part& part);
 
   // ---- wavefront_branches.cpp: what is seen in mirrors and behind surfaces
@@ -148,8 +155,12 @@ class Wavefront {
   void apply_volumes(int count, const bool* cut_off, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
-  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, double opacity, int texture,
-                const Part* part);
+  int add_lane(int i, const Material& m, const Vec3& normal);
+  void set_material(int k, const Material& m);
+  void set_opacity(int k, double opacity);
+  void set_color(int k, const Rgb& color, double opacity);
+  void add_single(int i);
+  void add_part(int i, const Part& part, int texture);
   static LayerContext layer_context(const Part& part);
   void add_photons();
   void show(Color* out);
@@ -173,7 +184,7 @@ class Wavefront {
   bool plain_sky_;
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
   std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
-  std::pair<const shapes::Shape*, const Material*> last_plain_[2]{};                    // met from outside, from inside
+  std::pair<const shapes::Shape*, const Material*> last_single_[2]{};                   // met from outside, from inside
   std::vector<textures::WeightedTexture> weighted_;                                     // of one hit
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
@@ -181,7 +192,9 @@ class Wavefront {
   std::vector<Crossing> crossings_;
   std::unique_ptr<Wavefront> branch_wavefront_;  // made when it is needed
   int depth_ = 0;                                // wavefronts around this one
-  Vec3 normals_[kMax];                           // of one layer at some leaves
+  textures::SurfacePoint texture_points_[kMax];  // of hits with single materials that vary
+  int varying_[kMax], varying_count_ = 0;        // which these are
+  Vec3 normals_[kMax];                           // of one layer at some hits
   Color colors_[kMax];
   bool colored_[kMax];
   RayState state_;  // of all rays, but for the ray itself and its weight
@@ -201,7 +214,7 @@ class Wavefront {
   bool found_[kMax];
   int pixel_[kMax];                      // several lanes in a row may be of one
   const Material* material_[kMax] = {};  // whose numbers stand in the lane
-  const Part* part_[kMax];               // null: plain
+  const Part* part_[kMax];               // null: single
   const shapes::Surface* surface_[kMax];
   const scene::Finish* finish_[kMax];
 };

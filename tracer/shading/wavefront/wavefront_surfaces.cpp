@@ -46,9 +46,8 @@ Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& 
                                 : 0) |
               (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) |
               (f.brilliance != 1 ? kBrilliance : 0) | (f.irid > 0 ? kFilm : 0);
-    m.opacity = surface_opacity(m.color, scene_.version);
-    m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ &&
-              !photons_ && is_finite(m.color.rgb()) && !(m.lobes & kFilm);
+    m.single = m.only && !m.mirror && !layer.pigment->transparent && !indirect_ && !photons_ &&
+               !(m.constant && !is_finite(m.color.rgb())) && !(m.lobes & kFilm);
     const bool finite = is_finite(f.ambient * scene_.ambient_light) && is_finite(f.emission) &&
                         std::fabs(m.highlight.exponent) < 1e6 && m.highlight.amount < 1e30 &&
                         std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
@@ -72,20 +71,15 @@ const Wavefront::Materials& Wavefront::materials(const textures::CompiledTexture
 void Wavefront::meet(int i) {
   Met& met = met_[i];
   met.together = false;
-  met.plain = nullptr;
+  met.single = nullptr;
   met.leaves = met.parts = 0;
   const shapes::Hit& hit = hits_[i];
   const Vec3 direction = packet_.rays.direction.at(i), normal = hit.shape->normal(hit);
   const double along = dot(normal, direction);
   if (!(std::fabs(along) < 1e30)) return;
   const bool inside = along > 0;
-  auto& last = last_plain_[inside];
-  if (last.first == hit.shape) {
-    met.together = true;
-    met.plain = last.second;
-    met.normal = inside ? -normal : normal;
-    return;
-  }
+  auto& last = last_single_[inside];
+  if (last.first == hit.shape) return take_single(i, *last.second, inside ? -normal : normal);
   const shapes::Surface& surface = *hit.shape->surface;
   if (surface.ignore_global_lights || !surface.group_lights().empty()) return;
   const auto* texture = surface.texture_within(inside);
@@ -101,16 +95,71 @@ void Wavefront::meet(int i) {
   }
   const Materials& found = materials(*texture);
   if (found.empty()) return;
-  met.together = true;
   const Material& first = found[0];
-  if (first.plain) {
+  if (first.single) {
     if (!surface.shows_several()) last = {hit.shape, &first};
-    met.plain = &first;
-    met.normal = inside ? -normal : normal;
-    return;
+    return take_single(i, first, inside ? -normal : normal);
   }
+  met.together = true;
   met.at.emplace(hit, normal, direction, 0, state_.surface_level());
   add_leaves(i, *texture, found);
+}
+
+// What of it is the same everywhere is known at once. `normal`: turned towards the viewer.
+void Wavefront::take_single(int i, const Material& material, const Vec3& normal) {
+  Met& met = met_[i];
+  met.together = true;
+  met.single = &material;
+  met.normal = normal;
+  met.color = material.color.rgb();
+  if (material.constant && !material.layer->normal) return;
+  const shapes::Hit& hit = hits_[i];
+  texture_points_[i] = texture_point(hit, normal, packet_.rays.direction.at(i));
+  met.point = hit.shape->surface->uv_mapping ? textures::uv_point(texture_points_[i]) : hit.point;
+  varying_[varying_count_++] = i;
+}
+
+// Splits off those of `waiting` that have the same key as its first; leaves the others there, in order.
+template <class Key>
+int Wavefront::take_group(int* waiting, int& n, int* group, const Key& key) {
+  const auto* const first = key(waiting[0]);
+  int same = 0, others = 0;
+  for (int k = 0; k < n; ++k) (key(waiting[k]) == first ? group[same++] : waiting[others++]) = waiting[k];
+  n = others;
+  return same;
+}
+
+// Colours and normals of single materials that vary.
+void Wavefront::find_singles() {
+  int group[kMax];
+  while (varying_count_ > 0) {
+    const int same = take_group(varying_, varying_count_, group, [this](int i) { return met_[i].single; });
+    find_singles(*met_[group[0]].single, group, same);
+  }
+}
+
+void Wavefront::find_singles(const Material& material, const int* rays, int n) {
+  textures::PointBatch points;
+  textures::SurfacePoint* surfaces[kMax];
+  for (int k = 0; k < n; ++k) {
+    points.set(k, met_[rays[k]].point);
+    surfaces[k] = &texture_points_[rays[k]];
+    normals_[k] = met_[rays[k]].normal;
+  }
+  points.fill_up(n);
+  if (const auto* perturbed = material.layer->normal) {
+    textures::perturb(*perturbed, n, points, surfaces, normals_);
+    for (int k = 0; k < n; ++k) {
+      met_[rays[k]].normal = normals_[k];
+      met_[rays[k]].together = faces_finitely(rays[k], normals_[k]);
+    }
+  }
+  if (material.constant) return;
+  textures::evaluate(*material.layer->pigment, n, points, surfaces, colors_, colored_);
+  for (int k = 0; k < n; ++k) {
+    met_[rays[k]].color = colors_[k].rgb();
+    if (!is_finite(met_[rays[k]].color)) met_[rays[k]].together = false;
+  }
 }
 
 // Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
@@ -162,7 +211,7 @@ void Wavefront::add_weighted_leaves(int i) {
   met.together = met.together && met.leaves > 0;
 }
 
-Wavefront::Part& Wavefront::add_part(Leaf& leaf) {
+Wavefront::Part& Wavefront::begin_part(Leaf& leaf) {
   const int k = static_cast<int>(parts_.size());
   Part& part = parts_.emplace_back();
   (leaf.first < 0 ? leaf.first : parts_[static_cast<std::size_t>(leaf.last)].next) = k;
@@ -196,15 +245,15 @@ void Wavefront::find_parts(int count) {
     }
     if (n == 0) return;
     while (n > 0) {
-      const Materials* const all = leaves_[static_cast<std::size_t>(waiting[0])].materials;
-      int same = 0, others = 0;
-      for (int k = 0; k < n; ++k)
-        (leaves_[static_cast<std::size_t>(waiting[k])].materials == all ? group[same++] : waiting[others++]) =
-            waiting[k];
-      n = others;
+      const int same =
+          take_group(waiting, n, group, [this](int l) { return leaves_[static_cast<std::size_t>(l)].materials; });
       find_layers(group, same);
     }
   }
+}
+
+bool Wavefront::faces_finitely(int i, const Vec3& normal) const {
+  return std::fabs(dot(normal, packet_.rays.direction.at(i))) < 1e30;
 }
 
 // The layers of one texture at n hits, from the top to the last one that shows.
@@ -218,13 +267,12 @@ void Wavefront::find_layers(int* leaves, int n) {
     for (int k = 0; k < n; ++k) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
       const Color& c = colors_[k];
-      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], packet_.rays.direction.at(leaf.ray))) <
-                                                         1e30;  // otherwise known since `meet`
+      const bool finite = !material.layer->normal || faces_finitely(leaf.ray, normals_[k]);  // else known by `meet`
       if (!colored_[k] || !finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
         met_[leaf.ray].together = false;
         continue;
       }
-      Part& part = add_part(leaf);
+      Part& part = begin_part(leaf);
       part.material = &material;
       part.normal = normals_[k];
       part.color = c;

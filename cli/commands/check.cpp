@@ -17,6 +17,7 @@
 #include "cli/sandbox/sandbox.h"
 #include "cli/settings/reading/own_options.h"
 #include "cli/settings/reading/scene_words.h"
+#include "compare/json_text.h"
 #include "parser/source/suggest.h"
 #include "tracer/base/whole_file.h"
 #include "tracer/render/requirements.h"
@@ -132,8 +133,7 @@ Checked check_scene(const Options& options, Console& console, Interrupt& interru
     parse.message(d);
     checked.status = kUnsupported;
   }
-  if (wanted.dump)
-    std::puts(SceneDump().scene(*result.scene).dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  if (wanted.dump) std::puts(compare::json_text(SceneDump().scene(*result.scene), 1).c_str());
   return checked;
 }
 
@@ -257,10 +257,7 @@ int command_check(const std::vector<std::string>& arguments) {
     for (const LintFinding& f : checked.lints)
       others.push_back({f.lint->name, f.lint->title, f.lint->text, f, f.message});
   }
-  if (wanted.json && !wanted.dump)
-    std::puts((scenes.size() == 1 ? reports[0] : reports)
-                  .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-                  .c_str());
+  if (wanted.json && !wanted.dump) std::puts(compare::json_text(scenes.size() == 1 ? reports[0] : reports, 2).c_str());
   if (!wanted.sarif.empty()) write_sarif(all, others, wanted.sarif);
   return status;
 }

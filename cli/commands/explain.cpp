@@ -17,6 +17,7 @@
 #include "cli/describe/stored_pixel.h"
 #include "cli/settings/reading/scene_words.h"
 #include "compare/compare.h"
+#include "compare/json_text.h"
 #include "compare/report/display.h"
 #include "tracer/render/explain.h"
 #include "tracer/shading/tracer.h"
@@ -117,8 +118,7 @@ std::string small_picture(const scene::Scene& scene, const Options& options, ren
 
 void write_story(const StoryFiles& files, PixelStory story, const scene::Scene& scene, const Options& options,
                  const render::Options& render) {
-  if (!files.json.empty())
-    compare::write_report(story.json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", files.json);
+  if (!files.json.empty()) compare::write_report(compare::json_text(story.json, 1) + "\n", files.json);
   if (files.svg.empty() && files.html.empty()) return;
   SideView side(scene, options, render);
   if (!files.svg.empty()) {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/commands.h"
+#include "compare/json_text.h"
 #include "tracer/base/library_versions.h"
 #include "tracer/simd/instruction_sets.h"
 
@@ -31,7 +32,7 @@ std::string version_text(bool json) {
   report["instruction_sets"] = nlohmann::ordered_json::array();
   for (int set = simd::kBaseline; set <= simd::best_instruction_set(); ++set)
     report["instruction_sets"].push_back(name(static_cast<simd::InstructionSet>(set)));
-  return report.dump(2) + "\n";
+  return compare::json_text(report, 2) + "\n";
 }
 
 }  // namespace verisim::cli

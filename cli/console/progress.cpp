@@ -8,6 +8,7 @@
 
 #include "cli/settings/options.h"
 #include "cli/settings/text.h"
+#include "compare/json_text.h"
 
 namespace verisim::cli {
 namespace {
@@ -16,9 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr double kBetweenLines = 0.5;  // seconds
 
-std::string line_of(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
+std::string line_of(const ordered_json& json) { return compare::json_text(json) + "\n"; }
 
 double rounded(double seconds) { return std::round(seconds * 1000) / 1000; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "compare/json_text.h"
 #include "tracer/base/output_file.h"
 
 namespace verisim::cli {
@@ -104,7 +105,7 @@ void write_sarif(const std::vector<parser::Diagnostic>& diagnostics, const std::
       {"version", "2.1.0"},
       {"runs", nlohmann::json::array(
                    {{{"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}}})}};
-  write_text_file(file, log.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_text_file(file, compare::json_text(log, 1) + "\n");
 }
 
 }  // namespace verisim::cli

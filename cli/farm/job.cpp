@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "tracer/base/output_file.h"
 #include "tracer/base/whole_file.h"
 
@@ -115,7 +115,7 @@ fs::path FarmJob::picture_of(int frame) const {
 void write_manifest(const FarmJob& job) {
   std::string text;
   try {
-    text = as_json(job).dump(2) + "\n";
+    text = compare::exact_json_text(as_json(job), 2) + "\n";
   } catch (const ordered_json::exception&) {
     throw std::runtime_error("a job folder keeps names and settings as UTF-8, and one of these is something else");
   }
@@ -130,7 +130,7 @@ FarmJob read_job(const fs::path& folder) {
     throw std::runtime_error(fmt::format(
         "'{}' is no job folder of `verisim farm submit`: there is no manifest.json to be read", folder.string()));
   try {
-    job = job_of(compare::bounded_json<ordered_json>(*text));
+    job = job_of(compare::parse_ordered_json(*text));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("cannot use '{}': {}", path.string(), error.what()));
   }

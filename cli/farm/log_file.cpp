@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 
 namespace fs = std::filesystem;
 
@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 // What begins like a line of JSON and is none was broken off, or is a scene's.
 Json parsed(const std::string& line) {
   if (!line.starts_with("{\"event\":")) return {};
-  Json value = compare::bounded_json(line);
+  Json value = compare::parse_json(line);
   return value.is_object() ? value : Json();
 }
 

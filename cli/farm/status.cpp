@@ -9,6 +9,7 @@
 #include "cli/farm/log_file.h"
 #include "cli/frame/state_file.h"
 #include "cli/parts/part_file.h"
+#include "compare/json_text.h"
 
 namespace fs = std::filesystem;
 
@@ -210,7 +211,7 @@ std::string as_json(const FarmJob& job, const JobStatus& status) {
                          {"engine_answers", status.engine_answers},
                          {"engine_error", status.engine_error},
                          {"steps", std::move(steps)}};
-  return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return compare::json_text(all, 2) + "\n";
 }
 
 }  // namespace verisim::cli

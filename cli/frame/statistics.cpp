@@ -12,6 +12,7 @@
 #include "cli/settings/region.h"
 #include "cli/frame/scene_features.h"
 #include "cli/settings/output_name.h"
+#include "compare/json_text.h"
 
 namespace verisim::cli {
 namespace {
@@ -222,7 +223,7 @@ std::string statistics_json(const Job& job, const std::vector<FrameReport>& fram
   all["files_read"] = files;
   all["frames"] = list;
   // Scene texts may hold any bytes.
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return compare::json_text(all, 2) + "\n";
 }
 
 }  // namespace verisim::cli

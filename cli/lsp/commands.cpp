@@ -154,7 +154,7 @@ Json explain_command(const Options& options, const Root& root, std::shared_ptr<c
     text += fmt::format("Its texture has {} layer{}.\n", object.texture->layers.size(),
                         object.texture->layers.size() == 1 ? "" : "s");
   SceneDump dump;
-  Json details = Json::parse(dump.object(object).dump(-1, ' ', false, SceneDump::Json::error_handler_t::replace));
+  Json details(dump.object(object));
   return {{"text", text}, {"object", std::move(details)}};
 }
 

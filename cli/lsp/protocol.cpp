@@ -6,7 +6,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 
 namespace verisim::cli::lsp {
 namespace {
@@ -57,13 +57,13 @@ std::optional<Json> Connection::read() {
     if (got <= 0) return std::nullopt;
     buffer_.append(bytes, static_cast<std::size_t>(got));
   }
-  Json message = compare::bounded_json(std::string_view(buffer_).substr(body, wanted - body));
+  Json message = compare::parse_json(std::string_view(buffer_).substr(body, wanted - body));
   buffer_.erase(0, wanted);
   return message;
 }
 
 void Connection::send(const Json& message) {
-  const std::string body = message.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string body = compare::json_text(message);
   const std::string text = "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
   const std::lock_guard lock(mutex_);
   for (std::size_t sent = 0; sent < text.size();) {

@@ -14,7 +14,7 @@
 
 #include "cli/parts/fingerprint.h"
 #include "cli/settings/layers_option.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "tracer/base/bytes.h"
 #include "tracer/base/output_file.h"
 #include "tracer/render/blocks.h"
@@ -111,7 +111,7 @@ PartHeader header_of(const Json& j) {
 }
 
 std::string head_bytes(const PartHeader& header) {
-  const std::string text = as_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = compare::json_text(as_json(header));
   std::string bytes(kMagic);
   put_bytes(bytes, std::uint64_t{text.size()});
   bytes += text;
@@ -228,7 +228,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
     fail("its header is damaged: render the part again");
   std::string version, damage;
   try {
-    const Json described = compare::bounded_json(head.substr(before));
+    const Json described = compare::parse_json(head.substr(before));
     described.at("version").get_to(version);
     if (version == VERISIM_VERSION) {
       header_ = header_of(described);

@@ -13,7 +13,7 @@
 #include "cli/frame/frame.h"
 #include "cli/rays/ray_tree.h"
 #include "cli/settings/reading/switches.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/report/display.h"
 #include "tracer/base/whole_file.h"
 #include "tracer/render/explain.h"
@@ -50,7 +50,7 @@ struct Asked {
 };
 
 Asked asked(const PageRequest& request, const Options& common, const fs::path& scenes) {
-  const nlohmann::json body = compare::bounded_json(request.body);
+  const nlohmann::json body = compare::parse_json(request.body);
   const fs::path name = fs::path(body.at("name").get<std::string>()).lexically_normal();
   if (name.is_absolute() || name.begin() == name.end() || *name.begin() == ".." || !fs::exists(scenes / name))
     throw std::runtime_error("there is no such scene here");

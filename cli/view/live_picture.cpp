@@ -11,6 +11,7 @@
 #include "cli/rays/ray_tree.h"
 #include "cli/describe/stored_pixel.h"
 #include "cli/rays/ray_drawing.h"
+#include "compare/json_text.h"
 #include "tracer/base/whole_file.h"
 #include "tracer/render/explain.h"
 
@@ -296,7 +297,7 @@ std::string LivePicture::update(std::uint64_t generation, std::size_t pieces, st
     head["tiles"].push_back({t.x, t.y, t.width, t.height, t.cell});
     floats += t.colors.size();
   }
-  std::string json = head.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string json = compare::json_text(head);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const auto size = static_cast<std::uint32_t>(json.size());
   std::string out(reinterpret_cast<const char*>(&size), sizeof size);

@@ -24,7 +24,7 @@
 #include "cli/view/reference.h"
 #include "cli/view/review.h"
 #include "cli/view/server.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 
 namespace fs = std::filesystem;
 
@@ -43,7 +43,7 @@ double number(const PageRequest& request, const char* name, double low, double h
 }
 
 Wish wish_of(const std::string& body, const Options& options, Wish wish) {
-  const nlohmann::json asked = compare::bounded_json(body);
+  const nlohmann::json asked = compare::parse_json(body);
   const auto take = [&](const char* name, double otherwise, double low, double high) {
     const double value = asked.value(name, otherwise);
     if (!(value >= low && value <= high)) throw std::runtime_error(fmt::format("{} is out of its range", name));
@@ -102,10 +102,9 @@ void answers(Server& server, LivePicture& picture, const Options& options) {
                      picture.layers(static_cast<std::uint64_t>(number(request, "generation", 0, 9e15, 0)))};
   });
   server.on("explain", [&picture, &options](const PageRequest& request) {
-    return PageReply{
-        "application/json",
-        picture.explain(number(request, "x", -0.5, options.width, 0), number(request, "y", -0.5, options.height, 0))
-            .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+    return PageReply{"application/json",
+                     compare::json_text(picture.explain(number(request, "x", -0.5, options.width, 0),
+                                                        number(request, "y", -0.5, options.height, 0)))};
   });
   server.on("drawing", [&picture](const PageRequest& request) {
     const DrawnFrom from = drawn_from(request);

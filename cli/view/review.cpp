@@ -14,7 +14,7 @@
 #include "cli/sandbox/sandbox.h"
 #include "cli/view/browser.h"
 #include "cli/view/server.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/regression/review.h"
 #include "compare/report/html.h"
 
@@ -56,7 +56,7 @@ class Answers {
       return PageReply{"image/png", report_.picture(id == request.parameters.end() ? "" : id->second)};
     });
     server.on("decide", [this](const PageRequest& request) {
-      const nlohmann::json asked = compare::bounded_json(request.body);
+      const nlohmann::json asked = compare::parse_json(request.body);
       const std::lock_guard lock(mutex_);
       review_.decide(asked.at("scene"), asked.at("decision"), asked.at("note"));
       return state();
@@ -69,9 +69,7 @@ class Answers {
   }
 
  private:
-  PageReply state() const {
-    return {"application/json", review_.state().dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
-  }
+  PageReply state() const { return {"application/json", compare::json_text(review_.state())}; }
 
   compare::Review& review_;
   const compare::HtmlReport report_;

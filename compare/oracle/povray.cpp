@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "compare/compare.h"
+#include "compare/json_text.h"
 #include "compare/oracle/content_hash.h"
 #include "compare/oracle/povray.h"
 #include "compare/oracle/process.h"
@@ -171,7 +172,7 @@ struct CacheEntry {
     std::ifstream in(meta);
     if (!in) return false;
     try {
-      const auto json = nlohmann::json::parse(in);
+      const auto json = parse_json(in);
       if (json.contains("no_end_after")) {
         out.message = json.at("message").get<std::string>() + " (known from an earlier run; --no-cache tries again)",
         out.from_cache = true;
@@ -212,8 +213,7 @@ struct CacheEntry {
     std::string temporary = (folder.parent_path() / "new-XXXXXX").string();
     if (failed || !mkdtemp(temporary.data())) return;
     if (!from.empty()) fs::copy_file(from, fs::path(temporary) / picture.filename(), failed);
-    std::ofstream(fs::path(temporary) / "meta.json")
-        << about.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    std::ofstream(fs::path(temporary) / "meta.json") << json_text(about, 1) << "\n";
     if (!failed) fs::remove_all(folder, failed);
     if (!failed) fs::rename(temporary, folder, failed);
     if (failed) fs::remove_all(temporary, failed);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/regression/baseline.h"
 #include "compare/regression/stored_variance.h"
 #include "tracer/base/output_file.h"
@@ -16,7 +16,7 @@ namespace {
 
 nlohmann::ordered_json read_list(const fs::path& folder) {
   nlohmann::ordered_json json;
-  if (std::ifstream in(folder / "baseline.json"); in) json = bounded_json<nlohmann::ordered_json>(in);
+  if (std::ifstream in(folder / "baseline.json"); in) json = parse_ordered_json(in);
   if (!json.is_object()) json = nlohmann::ordered_json::object();
   if (!json.contains("scenes") || !json["scenes"].is_object()) json["scenes"] = nlohmann::ordered_json::object();
   return json;
@@ -114,7 +114,7 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
   if (!dry_run && !changes.empty()) {
     json["version"] = run.native_version;
     json["updated"] = run.started;
-    write_report(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n", list);
+    write_report(json_text(json, 1) + "\n", list);
   }
   return changes;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
+#include "compare/json_text.h"
 #include "compare/oracle/switches.h"
 #include "compare/oracle/working_copy.h"
 
@@ -145,7 +146,7 @@ std::string bench_json(const Bench& bench) {
   }
   json["geometric_mean"] = ratios(bench);
   json["oracle_version"] = bench.oracle_version;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace verisim::compare

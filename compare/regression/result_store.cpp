@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/oracle/content_hash.h"
 #include "compare/report/json.h"
 
@@ -91,7 +91,7 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
 bool ResultStore::resumed(const std::string& stem, SceneResult& result) const {
   std::ifstream in(renders_.work() / (stem + ".result.json"));
   if (!in) return false;
-  const auto json = bounded_json(in);
+  const auto json = parse_json(in);
   if (!json.is_object()) return false;
   try {
     std::vector<fs::path> files;
@@ -129,8 +129,7 @@ void ResultStore::remember(const std::string& stem, const std::vector<fs::path>&
   json["native_picture"] = result.native_picture.filename().string();
   json["judged_picture"] = result.judged_picture.filename().string();
   json["p_map"] = result.p_map.filename().string();
-  write_report(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace),
-               renders_.work() / (stem + ".result.json"));
+  write_report(json_text(json, 1), renders_.work() / (stem + ".result.json"));
 }
 
 }  // namespace verisim::compare

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/oracle/content_hash.h"
 #include "compare/regression/renders.h"
 #include "compare/report/display.h"
@@ -66,7 +66,7 @@ Review::Review(const fs::path& folder, const fs::path& baseline) : folder_(folde
     kept_.baseline.clear();
   std::ifstream in(folder_ / "review.json");
   if (!in) return;
-  const Json json = bounded_json<Json>(in);
+  const Json json = parse_json(in);
   if (!json.is_object() || !json.contains("decisions"))
     throw std::runtime_error((folder_ / "review.json").string() + ": not a review");
   for (const SceneResult& scene : kept_.run.scenes) {
@@ -87,9 +87,7 @@ Json Review::state() const {
   return json;
 }
 
-void Review::write() const {
-  write_report(state().dump(1, ' ', false, Json::error_handler_t::replace) + "\n", folder_ / "review.json");
-}
+void Review::write() const { write_report(json_text(state(), 1) + "\n", folder_ / "review.json"); }
 
 const SceneResult& Review::changed(const std::string& scene) const {
   for (const SceneResult& s : kept_.run.scenes) {

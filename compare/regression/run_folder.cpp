@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/report/json.h"
 
 namespace verisim::compare {
@@ -51,11 +51,11 @@ void take(const Json& json, const fs::path& folder, SceneResult& s) {
 }  // namespace
 
 void save_run(const Run& run, const fs::path& folder, const fs::path& baseline) {
-  Json json = Json::parse(json_report(run));
+  Json json = parse_json(json_report(run));
   json["baseline"] = baseline.empty() ? "" : fs::absolute(baseline).lexically_normal().string();
   json["test"] = run.test_name;
   for (std::size_t i = 0; i < run.scenes.size(); ++i) json["scenes"][i]["kept"] = kept(run.scenes[i]);
-  write_report(json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", folder / "run.json");
+  write_report(json_text(json, 1) + "\n", folder / "run.json");
 }
 
 KeptRun load_run(const fs::path& folder) {
@@ -63,7 +63,7 @@ KeptRun load_run(const fs::path& folder) {
   std::ifstream in(file);
   if (!in)
     throw std::runtime_error(file.string() + ": there is no run here; `verisim compare ... --work FOLDER` keeps one");
-  const Json json = bounded_json<Json>(in);
+  const Json json = parse_json(in);
   KeptRun out;
   try {
     for (const Json& scene : json.at("scenes")) {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "compare/compare.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/baseline.h"
 #include "compare/regression/judge.h"
@@ -114,7 +114,7 @@ class Runner {
   void read_report(const fs::path& report, bool of_history) {
     std::ifstream in(report);
     if (!in) return;
-    const auto json = bounded_json(in);
+    const auto json = parse_json(in);
     if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_array())
       throw std::runtime_error(report.string() + ": not a report of verisim compare");
     for (const auto& scene : json["scenes"]) {

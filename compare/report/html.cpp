@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "compare/json_text.h"
 #include "compare/report/display.h"
 #include "compare/report/json.h"
 #include "compare/report/known_answers.h"
@@ -132,7 +133,7 @@ std::string page(const Json& data, const std::string& pictures, bool served) {
 }  // namespace
 
 std::string script_safe(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_text(json);
   std::string out;
   out.reserve(text.size());
   for (char c : text) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/json_text.h"
+
 namespace verisim::compare {
 namespace {
 
@@ -309,7 +311,7 @@ bool Summary::failed() const {
   return bad > known_failures;
 }
 
-std::string metrics_json(const Metrics& metrics) { return metrics_as<OrderedJson>(metrics).dump(2) + "\n"; }
+std::string metrics_json(const Metrics& metrics) { return json_text(metrics_as<OrderedJson>(metrics), 2) + "\n"; }
 
 std::string json_report(const Run& run) {
   OrderedJson json;
@@ -322,7 +324,7 @@ std::string json_report(const Run& run) {
   json["started"] = run.started;
   json["cancelled"] = run.cancelled;
   // Scene names and messages may hold any bytes.
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace verisim::compare

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
+#include "compare/json_text.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/report/display.h"
 #include "compare/report/json.h"
@@ -51,11 +52,11 @@ Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::p
 std::string pair_json(const Run& run) {
   const SceneResult& scene = run.scenes.at(0);
   const nlohmann::json whole = to_json(scene);
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(metrics_json(*scene.metrics));
+  nlohmann::ordered_json json = parse_ordered_json(metrics_json(*scene.metrics));
   json["reference"] = run.reference_name, json["test"] = run.test_name;
   for (const char* part : {"status", "reason", "layers", "suspects", "fit"})
     if (whole.contains(part)) json[part] = whole[part];
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace verisim::compare

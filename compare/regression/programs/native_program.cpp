@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "compare/compare.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/oracle/povray.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
@@ -40,7 +40,7 @@ std::string message_of(const std::string& err) {
 void read_statistics(const std::filesystem::path& file, NativeResult& out) {
   std::ifstream in(file);
   if (!in) return;
-  const auto json = bounded_json(in);
+  const auto json = parse_json(in);
   if (!json.is_object()) return;
   try {
     out.rays = json.value("rays", out.rays);

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/programs/program_call.h"
@@ -48,11 +48,11 @@ std::string tags_json(const PixelTags& tags) {
   json["surfaces"] = {{"point", short_numbers(tags.surfaces.point)},
                       {"normal", short_numbers(tags.surfaces.normal)},
                       {"diffuse", short_numbers(tags.surfaces.diffuse)}};
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // file names may hold any bytes
+  return json_text(json) + "\n";  // file names may hold any bytes
 }
 
 PixelTags tags_from_json(const std::string& text) {
-  const auto json = bounded_json(text);
+  const auto json = parse_json(text);
   PixelTags out;
   try {
     out.width = json.at("width"), out.height = json.at("height"), out.step = json.at("step");

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compare/bounded_json.h"
+#include "compare/json_text.h"
 #include "compare/regression/suites/manifest.h"
 #include "compare/report/json.h"
 
@@ -47,7 +47,7 @@ bool matches(const std::string& name, const std::string& wanted) {
 std::set<std::string> failed_in(const fs::path& report) {
   std::ifstream in(report);
   if (!in) throw std::runtime_error(report.string() + ": cannot read the earlier report");
-  const auto json = bounded_json(in);
+  const auto json = parse_json(in);
   std::set<std::string> out;
   try {
     for (const auto& scene : json.at("scenes"))

@@ -61,7 +61,7 @@ class CoherentRays {
 
  private:
   static constexpr int kTile = 8;            // pixels
-  static constexpr int kTiles = 16;          // in each direction are remembered
+  static constexpr int kTiles = 8;           // in each direction are remembered: a block of the picture and more
   static constexpr double kShadowCell = 16;  // pixels, at least
 
   struct Key {

@@ -330,7 +330,7 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
     const CompiledPigment* compiled = pigment(layer->pigment);
     c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, *layer->finish});
     const bool image = compiled->source == CompiledPigment::Source::image;
-    c.opaque |= !(image ? compiled->transparent : compiled->seems_transparent);
+    c.opaque |= !layer->pigment->image_filters && !(image ? compiled->transparent : compiled->seems_transparent);
     c.solid |= !compiled->transparent;
   }
   if (!d.patterned()) return c;

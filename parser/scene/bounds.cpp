@@ -99,7 +99,9 @@ void parse_bounded_by(Parser& parser, Object& object) {
   parse_guard(parser, object, {"bounds", Word::clipped_by, "clips"}, object.bounded_by, object.clipped_by);
 }
 void parse_clipped_by(Parser& parser, Object& object) {
+  const bool linked = object.clip_is_bound;
   parse_guard(parser, object, {"clips", Word::bounded_by, "bounds"}, object.clipped_by, object.bounded_by);
+  object.clip_from_bound |= !linked && object.clip_is_bound;
 }
 
 }  // namespace verisim::parser

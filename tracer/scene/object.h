@@ -326,6 +326,7 @@ struct Object {
   std::uint32_t clips_in_bounds = 0;  // how many of the clips the automatic box of a quadric already knows
   bool automatic_box = true;          // false: of a quadric without one, whose bounds are kept (spec 03 4.11)
   bool clip_is_bound = false;         // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
+  bool clip_from_bound = false;       // the former: no clip to the automatic box of a quadric
   TexturePtr texture, interior_texture;
   // What moved the top layer since it is of a solid colour: a pattern that takes its place while the object is read has
   // gone that way, too (spec 08 E).

@@ -155,11 +155,13 @@ struct ImageParams {
   bool once = false, use_alpha = false, use_index = false;
   Vec2 repeat{1, 1}, offset{0, 0};
   float filter_all = 0, transmit_all = 0;
+  bool filters =
+      false;  // `filter` or `transmit` is written, be it of 0; of no other meaning than Pigment::image_filters
   template <class V>
   constexpr void fields(V&& visit) const {
     visit("image", image), visit("map_type", map_type), visit("interpolate", interpolate), visit("once", once);
     visit("use_alpha", use_alpha), visit("use_index", use_index), visit("repeat", repeat), visit("offset", offset);
-    visit("filter_all", filter_all), visit("transmit_all", transmit_all);
+    visit("filter_all", filter_all), visit("transmit_all", transmit_all), visit("filters", filters);
   }
 };
 

@@ -78,6 +78,7 @@ void fit_quadric(Object& object, BoxRange range) {
   const Quadric& q = *object.as<Quadric>();
   bool limited = false;
   for (const ObjectPtr& clip : object.clipped_by) {
+    if (object.clip_from_bound) break;
     limited = limited || !is_complement(*clip);
     if (clip->as<Plane>())
       clip_by_plane(*clip, range);

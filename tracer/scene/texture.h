@@ -20,6 +20,8 @@ struct Pigment {
   std::shared_ptr<const ColorMap> color_map;
   std::shared_ptr<const BlendMap<PigmentPtr>> pigment_map;  // also average, and the single child of uv_mapping
   Rare<Color> quick_color;                                  // with filter and transmit
+  // An image_map with `filter` or `transmit` was ever written in it, whatever has taken its place (spec 06 9.3).
+  bool image_filters = false;
 };
 
 struct SlopeEntry {

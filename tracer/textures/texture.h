@@ -62,6 +62,7 @@ struct CompiledTexture {
   std::vector<scene::MapEntry<const CompiledTexture*>> map;
   MapPositions positions;  // of map, ready for lookup
   bool opaque = false;     // blocks shadow rays without evaluation (spec 05 11.4)
+  bool solid = false;      // and what it is by its colours: images in maps may filter and are yet flagged opaque
   bool patterned() const { return layers.empty(); }
 };
 

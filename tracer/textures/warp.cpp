@@ -9,9 +9,10 @@
 namespace verisim::textures {
 namespace {
 
+// The number of the tile is single, as POV-Ray's is: far away it names every second one only, and then none.
 Vec3 repeat(const RepeatStep& w, Vec3 p) {
   const double width = w.width;
-  const double n = std::floor(p[w.axis] / width);
+  const double n = static_cast<float>(std::floor(p[w.axis] / width));
   p[w.axis] -= static_cast<double>(static_cast<float>(n * width));
   if (std::fmod(n, 2) != 0) {
     for (int k = 0; k < 3; ++k)
@@ -49,9 +50,9 @@ Vec3 orient(const Vec3& o, double a, double b, double c) {
   return {o.x * c + o.y * a + o.z * a, o.x * b - o.y * c + o.z * b, -o.x * a + o.y * b + o.z * c};
 }
 
-// Angle of (x, z) from +x towards +z over a full turn, in [0, 1); `radius` = length of (x, z), 0 gives 0.
+// Angle of (x, z) from +x towards +z over a full turn, in [0, 1); `radius` = length of (x, z), 0 and infinity give 0.
 double turn(double x, double z, double radius) {
-  if (radius == 0) return 0;
+  if (radius == 0 || std::isinf(radius)) return 0;
   const double angle = std::acos(std::clamp(x / radius, -1.0, 1.0));
   return (z < 0 ? kTwoPi - angle : angle) / kTwoPi;
 }
@@ -82,7 +83,7 @@ Vec3 project(const ProjectionStep& w, const Vec3& p) {
       if (radius == 0) return p;
       const double x = radius - w.major_radius;
       const double rho = std::sqrt(x * x + p.y * p.y);
-      double phi = rho == 0 ? 0 : std::acos(std::clamp(-x / rho, -1.0, 1.0));
+      double phi = std::acos(std::clamp(-x / rho, -1.0, 1.0));  // on the ring itself no number
       if (p.y > 0) phi = kTwoPi - phi;
       return orient(w.orientation, turn(p.x, p.z, radius) * interval(rho), phi / kTwoPi * interval(rho), rho);
     }
@@ -90,11 +91,10 @@ Vec3 project(const ProjectionStep& w, const Vec3& p) {
 }
 
 // Unfolds a cube: each face gets its place in a cross of a 4 x 3 grid. Sixths are multiplied, not divided, as POV-Ray
-// has them.
+// has them. The origin comes to no place at all: 0 / 0.
 Vec3 unfold_cube(const Vec3& p) {
   const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);
   const double largest = std::max({ax, ay, az});
-  if (largest == 0) return p;
   constexpr double kThird = 1.0 / 3, kSixth = 1.0 / 6;
   if (p.x == largest) return {0.75 - (p.z / p.x + 1) / 8, kThird + (p.y / p.x + 1) * kSixth, p.x};
   if (p.y == largest) return {0.25 + (p.x / p.y + 1) / 8, 1 - (p.z / p.y + 1) * kSixth, p.y};

@@ -179,6 +179,7 @@ ImagePtr function_image(Parser& parser) {
 // filter and transmit of image_map: for all pixels or one palette entry (spec 05 12.4).
 void parse_transparency(Parser& parser, scene::ImageParams& params, bool filter) {
   parser.next();
+  params.filters = true;
   const bool all = parser.accept(Word::all);
   const int entry = all ? 0 : parser.parse_int();
   parser.optional_comma();

@@ -57,8 +57,12 @@ bool parse_pigment_type(Parser& parser, Pigment& pigment) {
     pigment.color = parser.parse_color();
     return true;
   }
-  return parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment,
-                            [&](int size) { read_list(parser, pigment, size); });
+  if (!parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment,
+                          [&](int size) { read_list(parser, pigment, size); }))
+    return false;
+  if (const auto* image = pigment.pattern.params ? std::get_if<scene::ImageParams>(&*pigment.pattern.params) : nullptr)
+    pigment.image_filters |= image->filters;
+  return true;
 }
 
 scene::TextureLayer default_layer(Parser& parser) { return parser.default_texture()->layers.front(); }

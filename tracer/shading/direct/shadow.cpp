@@ -254,7 +254,7 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
 
 Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
                            const TextureFrame* frame) {
-  if (texture.opaque) return {};
+  if (texture.solid) return {};
   if (texture.patterned()) {
     const TextureParts parts(selection_, texture, p, at.texture_point, frame);
     Rgb sum;

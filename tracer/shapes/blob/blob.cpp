@@ -94,16 +94,17 @@ class Blob final : public SearchPrimitive<Blob> {
   }
 
   std::span<const scene::TexturePtr> extra_textures() const override { return textures_; }
+  // In single precision throughout, by the reciprocal of the sum, as POV-Ray has them.
   void texture_shares(const Hit& hit, bool, std::vector<TextureShare>& shares) const override {
-    double total = 0;
+    float total = 0;
     at(local(hit.point), [&](const Part& part, double d2, const Vec3&) {
-      const double weight = std::fabs(field(part, d2));
+      const auto weight = static_cast<float>(std::fabs(field(part, d2)));
       if (weight == 0 || shares.size() >= kMaxTextures) return;
       total += weight;
       const auto c = static_cast<std::size_t>(part.component);
-      shares.push_back({textures_[c] ? part.component : -1, static_cast<float>(weight)});
+      shares.push_back({textures_[c] ? part.component : -1, weight});
     });
-    for (TextureShare& share : shares) share.weight = static_cast<float>(share.weight / total);
+    for (TextureShare& share : shares) share.weight *= 1 / total;
   }
 
  private:

@@ -154,6 +154,8 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       return;
     }
     if (sink.upper() < sink.lower()) return;
+    // Along the axis POV-Ray asks no walls, though those of a conic sweep slope.
+    if (std::fabs(d.x) <= kEpsilon && std::fabs(d.z) <= kEpsilon) return;
     // The outline's point lies on the ray's line when nx X + nz Z + n0 = 0.
     const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
     const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;

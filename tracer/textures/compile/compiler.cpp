@@ -330,7 +330,8 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
     const CompiledPigment* compiled = pigment(layer->pigment);
     c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, *layer->finish});
     const bool image = compiled->source == CompiledPigment::Source::image;
-    c.opaque |= !(image ? compiled->transparent : compiled->seems_transparent);
+    c.opaque |= !layer->pigment->image_filters && !(image ? compiled->transparent : compiled->seems_transparent);
+    c.solid |= !compiled->transparent;
   }
   if (!d.patterned()) return c;
   if (!d.texture_map || d.texture_map->empty()) throw std::invalid_argument("a patterned texture without map");
@@ -338,12 +339,16 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   c.average = d.pattern.kind == scene::PatternKind::average;
   c.material_map = d.pattern.kind == scene::PatternKind::image_map;
   c.pattern = pattern_with_frame(d.pattern);
-  c.opaque = true;  // POV-Ray never flags these, but their filter is zero all the same
+  // Of these POV-Ray flags material maps alone. Of others it is what the entries filter that counts, and only what has
+  // no filter at all need not be asked.
+  c.solid = c.opaque = true;
   const bool entries = no_bump_scale || maps_without_bump_scale.contains(d.texture_map);
   for (const auto& entry : *d.texture_map) {
     c.map.push_back({entry.position, texture(entry.value, entries)});
+    c.solid = c.solid && c.map.back().value->solid;
     c.opaque = c.opaque && c.map.back().value->opaque;
   }
+  if (!c.material_map) c.opaque = c.solid;
   c.positions = MapPositions(c.map);
   return c;
 }

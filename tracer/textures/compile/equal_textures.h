@@ -25,7 +25,7 @@ struct EqualLayers {
   bool operator()(const CompiledTexture* s, const CompiledTexture* t) const {
     const CompiledLayer &a = s->layers[0], &b = t->layers[0];
     return a.pigment == b.pigment && a.normal == b.normal && s->no_bump_scale == t->no_bump_scale &&
-           a.finish == b.finish;
+           s->opaque == t->opaque && a.finish == b.finish;
   }
 };
 // A normal without maps.

@@ -33,7 +33,7 @@ bool equal(const std::shared_ptr<const scene::ColorMap>& a, const std::shared_pt
 
 bool equal(const scene::Pigment& a, const scene::Pigment& b) {
   return equal(a.color, b.color) && a.quick_color == b.quick_color && a.pigment_map == b.pigment_map &&
-         equal(a.color_map, b.color_map) && equal(a.pattern, b.pattern);
+         a.image_filters == b.image_filters && equal(a.color_map, b.color_map) && equal(a.pattern, b.pattern);
 }
 
 bool equal(const scene::Normal& a, const scene::Normal& b) {

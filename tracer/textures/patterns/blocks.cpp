@@ -5,7 +5,7 @@ namespace verisim::textures {
 namespace {
 
 double fraction(double v) { return v - std::floor(v); }
-bool odd(double integer) { return fraction(0.5 * integer) != 0; }
+bool odd(double integer) { return fraction(0.5 * integer) > 0; }  // what is no number is even
 
 }  // namespace
 
@@ -51,6 +51,7 @@ double square(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
 
 double hexagon(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   constexpr double kWidth = 0.5, kHeight = 0.866025404, kPeriod = 5.196152424;
+  if (!std::isfinite(p.x) || !std::isfinite(p.z)) return 0;
   const double x = positive_remainder(std::fabs(p.x) / kWidth, 6);
   const double z = positive_remainder((p.z < 0 ? kPeriod - std::fabs(p.z) : p.z) / kHeight, 6);
   const int column = static_cast<int>(x), row = static_cast<int>(z);
@@ -66,6 +67,7 @@ double hexagon(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
 }
 
 double triangular(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.z)) return 4;
   const double root3 = std::sqrt(3.0);
   const double x = positive_remainder(p.x, 3);
   // Hardly below a row's edge it is the whole of root3, not 0: the last row, turned over.

@@ -102,7 +102,20 @@ bool parse_part_of_texture(Parser& parser, Object& object) {
 
 // What it is covered with and filled with. False: none of that.
 bool parse_appearance(Parser& parser, Object& object) {
-  switch (word_at(parser)) {
+  const Word word = word_at(parser);
+  switch (word) {
+    case Word::texture:
+    case Word::pigment:
+    case Word::normal:
+    case Word::finish:
+    case Word::interior_texture:
+    case Word::material:
+      object.texture_forgotten = false;
+      break;
+    default:
+      break;
+  }
+  switch (word) {
     case Word::texture:
       add_layers(parser, object.texture, parse_texture(parser));
       object.solid_steps = {};

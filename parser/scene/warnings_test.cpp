@@ -65,6 +65,10 @@ TEST(Warnings, BoundsOfQuadrics) {
   EXPECT_EQ(of_statement(quadric(hyperboloid, clip)), useless);
   EXPECT_EQ(of_statement(quadric(hyperboloid, clip + " rotate 30")), useless);
   EXPECT_EQ(of_statement(quadric(mixed, clip)), Texts{});
+  // A clip that is the bound is none.
+  EXPECT_EQ(of_statement(quadric(hyperboloid, "clipped_by { bounded_by } rotate 30")), Texts{});
+  EXPECT_EQ(of_statement("quadric { " + hyperboloid + " clipped_by { sphere { 0, 3 } } bounded_by { clipped_by } }"),
+            useless);
 }
 
 // A text is a union of letters.

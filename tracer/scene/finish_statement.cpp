@@ -25,8 +25,9 @@ bool is_empty_csg(const Object& object) {
 // Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before
 // it is changed.
 bool has_texture_anywhere(const Object& object, SharedLists& seen) {
-  // POV-Ray forgets of CSG that is inverted, be it once or twice, that it holds textures (spec 03 5.3).
-  if (object.was_inverted && (has_children(object) || object.as<std::shared_ptr<const Text>>())) return false;
+  // POV-Ray forgets of CSG that is inverted, be it once or twice, that it holds textures, until it reads a part of one
+  // (spec 03 5.3).
+  if (object.texture_forgotten && (has_children(object) || object.as<std::shared_ptr<const Text>>())) return false;
   if (object.texture) return true;
   if (!seen.first(object)) return false;
   for (const ObjectPtr& child : declared_children(object)) {
@@ -134,7 +135,7 @@ class Walk {
 
   void children(Object& parent) {
     // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec
-    // 03 5.3), and of these not texts, which are unions of letters.
+    // 03 5.3), and of these not texts, which are unions of letters, unless they are inverted, which are intersections.
     auto* csg = std::get_if<Csg>(&parent.shape);
     const bool intersects =
         csg ? csg->kind == CsgKind::intersection : parent.as<LightGroup>() != nullptr && parent.inverted;
@@ -145,7 +146,7 @@ class Walk {
       const bool saved = interior_is_inherited;
       interior_is_inherited = !child.interior;
       if (interior_is_inherited && !is_empty_csg(child)) child.interior = parent.interior;
-      object(child, keeps_untextured && !child.as<std::shared_ptr<const Text>>());
+      object(child, keeps_untextured && (child.inverted || !child.as<std::shared_ptr<const Text>>()));
       interior_is_inherited = saved;
     }
     parent.no_shadow = parent.no_shadow || is_shadowless_union(parent);

@@ -399,7 +399,7 @@ void invert(Object& object) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
     csg->kind = csg->kind == CsgKind::intersection ? CsgKind::merge : CsgKind::intersection;
     for (ObjectPtr& child : own_children(object)) invert(writable(child));
-    object.inverted = !object.inverted, object.was_inverted = true;
+    object.inverted = !object.inverted, object.was_inverted = object.texture_forgotten = true;
     return;
   }
   if (auto* plane = std::get_if<Plane>(&object.shape)) {
@@ -418,7 +418,7 @@ void invert(Object& object) {
     quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
     quadric->constant = -quadric->constant;
   }
-  object.inverted = !object.inverted, object.was_inverted = true;
+  object.inverted = !object.inverted, object.was_inverted = object.texture_forgotten = true;
 }
 
 void finish_modifiers(Object& object) {

@@ -117,6 +117,7 @@ struct Blob {
   std::vector<BlobComponent> components;
   // The whole blob's as its statement ended: if it was opaque, so are all copies (spec 06 9.3).
   TexturePtr first_texture = {};
+  bool hierarchy = true;  // `hierarchy` of that statement; what copies say does not matter
 };
 enum class SplineKind : std::uint8_t { linear, quadratic, cubic, bezier, b_spline };
 struct Lathe {
@@ -333,6 +334,7 @@ struct Object {
   Rare<Transform> solid_steps;
   InteriorPtr interior;
   bool inverted = false, was_inverted = false;  // now; ever
+  bool texture_forgotten = false;               // inverted, and nothing said of its texture since
   bool copied = false;                          // made from another object, not written in place
   Flag hollow = Flag::unset;                    // as written for this object
   bool hollow_inherited = false;                // as written for a CSG object around it

@@ -126,7 +126,9 @@ ObjectRef parse_blob(Parser& parser) {
   });
   if (!read->copied) {  // so nobody else has this blob yet
     settle_color(*read);
-    const_cast<scene::Blob&>(**read->as<std::shared_ptr<const scene::Blob>>()).first_texture = read->texture;
+    auto& blob = const_cast<scene::Blob&>(**read->as<std::shared_ptr<const scene::Blob>>());
+    blob.first_texture = read->texture;
+    blob.hierarchy = read->hierarchy;
   }
   return read;
 }

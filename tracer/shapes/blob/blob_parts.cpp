@@ -119,7 +119,7 @@ void put_in_order(PartList& list) {
 
 BlobParts::BlobParts(const scene::Blob& blob) {
   PartList list = parts_of(blob);
-  put_in_order(list);
+  if (blob.hierarchy) put_in_order(list);
   parts = std::move(list.parts);
   bool finite = true;
   for (std::size_t i = 0; i < parts.size(); ++i) {

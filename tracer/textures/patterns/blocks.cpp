@@ -51,9 +51,9 @@ double square(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
 
 double hexagon(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   constexpr double kWidth = 0.5, kHeight = 0.866025404, kPeriod = 5.196152424;
-  if (!std::isfinite(p.x) || !std::isfinite(p.z)) return 0;
   const double x = positive_remainder(std::fabs(p.x) / kWidth, 6);
   const double z = positive_remainder((p.z < 0 ? kPeriod - std::fabs(p.z) : p.z) / kHeight, 6);
+  if (!(x < 6) || !(z < 6)) return 0;  // no numbers
   const int column = static_cast<int>(x), row = static_cast<int>(z);
   static constexpr int kOuter[6] = {0, 1, 1, 2, 2, 0}, kInner[6] = {2, 2, 0, 0, 1, 1};
   static constexpr int kBelow[6] = {0, 2, 1, 0, 2, 1}, kAbove[6] = {2, 1, 0, 2, 1, 0};

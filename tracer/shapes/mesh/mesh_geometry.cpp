@@ -50,8 +50,9 @@ std::array<int, 3> corners_of(const scene::MeshData& data, const scene::MeshTria
 
 Vec3 interpolated_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const std::array<int, 3>& c,
                          const Vec3& p) {
+  // Of length 1 since they were read: divided by it once more, one in a hundred had other last bits.
   const auto vertex_normal = [&](int k) {
-    return f32(normalize(data.normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]));
+    return f32(data.normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]);
   };
   const auto as_written = [&](int k) {
     return data.vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]];
@@ -80,9 +81,7 @@ bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t) {
   for (const std::uint32_t n : t.normal) {
     if (n >= data.normals.size()) return false;
   }
-  const Vec3 n1 = normalize(data.normals[t.normal[0]]), n2 = normalize(data.normals[t.normal[1]]),
-             n3 = normalize(data.normals[t.normal[2]]);
-  const Vec3 d2 = n1 - n2, d3 = n1 - n3;
+  const Vec3 n1 = data.normals[t.normal[0]], d2 = n1 - data.normals[t.normal[1]], d3 = n1 - data.normals[t.normal[2]];
   return dot(d2, d2) > 1e-10 || dot(d3, d3) > 1e-10;
 }
 

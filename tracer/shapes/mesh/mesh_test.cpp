@@ -98,7 +98,7 @@ TEST(Mesh, HitNearerThanTheCallerTakesHidesTheOthers) {
 scene::MeshData smooth_corner() {
   scene::MeshData d;
   d.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  d.normals = {{-1, 0, -2}, {1, 0, -2}, {0, 1, -2}};
+  d.normals = {normalize({-1, 0, -2}), normalize({1, 0, -2}), normalize({0, 1, -2})};
   d.triangles = {triangle(0, 1, 2, true)};
   return d;
 }
@@ -111,6 +111,24 @@ TEST(Mesh, SmoothTriangle) {
   expect_near(s->normal(*at(.5, 0)), {-0.000000029802322, 0, -1});
   expect_near(s->normal(*at(.5, .5)), {0.235702207321706, 0.235702263517504, -0.942809054070017});
   EXPECT_FALSE(at(.5, .5 + 1e-15));
+}
+
+// Of one triangle in a hundred another unit vector in single precision is what comes out when one is normalised again.
+TEST(Mesh, NormalsAreOfLengthOneAlready) {
+  const auto in_single = [](const Vec3& v) {
+    return Vec3(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
+  };
+  scene::MeshData d = smooth_corner();
+  d.vertices = {in_single({4.1, 2.721863, -0.121477}), in_single({4.1, 3.278137, -0.121477}),
+                in_single({4.9, 3, 0.194053})};
+  d.normals = {in_single(normalize({0.163310, 0.228216, -0.959816})),
+               in_single(normalize({0.163310, -0.228216, -0.959816})),
+               in_single(normalize({-0.057265, -0.265469, -0.962417}))};
+  const auto s = compile(mesh(d));
+  const Vec3 n = s->normal(*trace(*s, {4.5, 3.09, -20}, {0, 0, 1}));
+  EXPECT_NEAR(n.x, 0.0538575208599623018, 1e-16);
+  EXPECT_NEAR(n.y, -0.2098343194737121165, 1e-16);
+  EXPECT_NEAR(n.z, -0.9762524908126086753, 2e-16);
 }
 
 TEST(Mesh, SmoothTriangleTransformed) {
@@ -141,7 +159,7 @@ TEST(Mesh, DistanceLimitsAreLocal) {
 
 TEST(Mesh, EqualNormalsAreDiscarded) {
   auto d = smooth_corner();
-  d.normals = {{1, 0, -1}, {1, 0, -1}, {1, 0, -1}};
+  d.normals.assign(3, normalize({1, 0, -1}));
   const auto m = mesh(d);
   const auto s = compile(m);
   expect_near(s->normal(*trace(*s, {.2, .2, -5}, {0, 0, 1})), {0, 0, -1});

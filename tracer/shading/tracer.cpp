@@ -53,7 +53,9 @@ RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   state.interiors = {0, static_cast<std::uint32_t>(camera_interiors_)};
   state.hollow = lens_is_hollow_ && all_hollow(state.interiors);
   state.level_limit = scene_.max_trace_level;
-  state.direct_light = state.volumes = !pretrace_;
+  // How many rays go through a lens hangs on their colours, in the pretrace, too (spec 07 2.9).
+  const scene::Camera& camera = scene_.scene.camera;
+  state.direct_light = state.volumes = !pretrace_ || (camera.aperture != 0 && camera.blur_samples > 0);
   coherent_.set_viewpoint(ray.origin);
   return state;
 }

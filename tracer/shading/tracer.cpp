@@ -53,9 +53,11 @@ RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   state.interiors = {0, static_cast<std::uint32_t>(camera_interiors_)};
   state.hollow = lens_is_hollow_ && all_hollow(state.interiors);
   state.level_limit = scene_.max_trace_level;
-  // How many rays go through a lens hangs on their colours, in the pretrace, too (spec 07 2.9).
+  // The pretrace asks for samples alone. But how many rays go through a lens hangs on their colours, and where
+  // isosurfaces are found on what was looked for before (spec 07 2.9).
   const scene::Camera& camera = scene_.scene.camera;
-  state.direct_light = state.volumes = !pretrace_ || (camera.aperture != 0 && camera.blur_samples > 0);
+  const bool blurs = camera.aperture != 0 && camera.blur_samples > 0;
+  state.direct_light = state.volumes = !pretrace_ || in_order_ || blurs;
   coherent_.set_viewpoint(ray.origin);
   return state;
 }

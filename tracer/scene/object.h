@@ -225,7 +225,8 @@ struct MeshTriangle {
   bool smooth = false, has_uv = false;
 };
 struct MeshData {
-  std::vector<Vec3> vertices, normals;
+  std::vector<Vec3> vertices;
+  std::vector<Vec3> normals;  // of length 1
   std::vector<Vec2> uvs;
   std::vector<TexturePtr> textures;
   std::vector<MeshTriangle> triangles;

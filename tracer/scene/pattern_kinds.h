@@ -155,8 +155,8 @@ struct ImageParams {
   bool once = false, use_alpha = false, use_index = false;
   Vec2 repeat{1, 1}, offset{0, 0};
   float filter_all = 0, transmit_all = 0;
-  bool filters =
-      false;  // `filter` or `transmit` is written, be it of 0; of no other meaning than Pigment::image_filters
+  // `filter` or `transmit` is written, be it of 0; of no other meaning than Pigment::image_filters.
+  bool filters = false;
   template <class V>
   constexpr void fields(V&& visit) const {
     visit("image", image), visit("map_type", map_type), visit("interpolate", interpolate), visit("once", once);

@@ -53,11 +53,11 @@ RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   state.interiors = {0, static_cast<std::uint32_t>(camera_interiors_)};
   state.hollow = lens_is_hollow_ && all_hollow(state.interiors);
   state.level_limit = scene_.max_trace_level;
-  // The pretrace asks for samples alone. But how many rays go through a lens hangs on their colours, and where
-  // isosurfaces are found on what was looked for before (spec 07 2.9).
+  // The pretrace asks for samples alone. But how many rays go through a lens hangs on their colours, and where POV-Ray
+  // finds isosurfaces on what it looked for before (spec 07 2.9).
   const scene::Camera& camera = scene_.scene.camera;
   const bool blurs = camera.aperture != 0 && camera.blur_samples > 0;
-  state.direct_light = state.volumes = !pretrace_ || in_order_ || blurs;
+  state.direct_light = state.volumes = !pretrace_ || random_.replay() || blurs;
   coherent_.set_viewpoint(ray.origin);
   return state;
 }

@@ -61,8 +61,8 @@ struct CompiledTexture {
   bool average = false, uv_mapping = false, material_map = false, no_bump_scale = false;
   std::vector<scene::MapEntry<const CompiledTexture*>> map;
   MapPositions positions;  // of map, ready for lookup
-  bool opaque = false;     // blocks shadow rays without evaluation (spec 05 11.4)
-  bool solid = false;      // and what it is by its colours: images in maps may filter and are yet flagged opaque
+  bool opaque = false;     // POV-Ray's flag: what hits such an object blocks all light (spec 06 9.3)
+  bool solid = false;  // no colour of it lets light through; images in maps may, and are flagged opaque all the same
   bool patterned() const { return layers.empty(); }
 };
 

@@ -8,6 +8,7 @@
 #include "tracer/image/gamma.h"
 #include "tracer/image/in_memory.h"
 #include "tracer/image/output.h"
+#include "tracer/simd/float4.h"
 
 namespace verisim::image {
 namespace {
@@ -20,7 +21,8 @@ int round_to(float encoded, int max_value) {
 }
 
 // The smallest float that rounds to each code: exact and faster than a power per sample. For at most 8 bits and no
-// dithering.
+// dithering. Cells are 128 parts of each octave from 2^-20 to 1, found by the upper half of a float's bits, and one for
+// all below: with gammas in use none holds more than one border.
 class CodeTable {
  public:
   CodeTable(const OutputCurve& curve, int max_value)
@@ -35,28 +37,32 @@ class CodeTable {
       first_[code - 1] = high;
     }
     int code = 0;
-    for (int i = 0; i <= kCells; ++i) {
-      while (first_[static_cast<std::size_t>(code)] <= static_cast<float>(i) / kCells) ++code;
-      cells_[static_cast<std::size_t>(i)] = {first_[static_cast<std::size_t>(code)], code};
+    for (std::uint32_t i = 0; i < kCells; ++i) {
+      const float from = i == 0 ? 0 : std::bit_cast<float>((kBelow + i) << 16);
+      const float to = std::bit_cast<float>((kBelow + i + 1) << 16);
+      while (first_[static_cast<std::size_t>(code)] <= from) ++code;
+      cells_[i] = {first_[static_cast<std::size_t>(code)], code};
+      if (cells_[i].next < to && first_[static_cast<std::size_t>(code) + 1] < to) one_border_ = false;
     }
   }
-  // 0 <= x <= 1.
+  // 0 <= x <= 1. No branch that depends on the picture, but for curves out of use.
   int operator()(float x) const {
-    const Cell& cell = cells_[static_cast<std::size_t>(static_cast<int>(x * kCells))];
-    int code =
-        cell.code + (x >= cell.next);  // most cells have one border at most: no branch that depends on the picture
-    while (first_[static_cast<std::size_t>(code)] <= x) ++code;
+    const Cell& cell = cells_[std::max(std::bit_cast<std::uint32_t>(x) >> 16, kBelow) - kBelow];
+    int code = cell.code + (x >= cell.next);
+    if (!one_border_)
+      while (first_[static_cast<std::size_t>(code)] <= x) ++code;
     return code;
   }
 
  private:
-  static constexpr int kCells = 4096;
+  static constexpr std::uint32_t kBelow = 0x357f, kCells = 0x3f80 - kBelow + 1;  // 2^-20 is 0x35800000, 1 is 0x3f800000
   struct Cell {
     float next;  // where the following code begins
     int code;    // at the lower end of the cell
   };
   std::vector<float> first_;  // of code + 1; the last is infinite
-  std::array<Cell, kCells + 1> cells_{};
+  std::array<Cell, kCells> cells_{};
+  bool one_border_ = true;
 };
 
 // Codes of more than 8 bits, without dithering: parabolas between 128 places of each octave, and the curve itself where
@@ -187,11 +193,17 @@ struct Quantiser::State {
     if (alpha) alpha_codes.emplace(linear, max_value);
   }
 
+  // Pixels that other threads have written come from afar, and not every processor fetches them before it is asked to.
+  static constexpr int kAhead = 128;
   template <class Codes>
   void colors_alone(const Codes& codes, const Color* pixels, std::uint16_t* out) const {
-    for (int x = 0; x < rows.width; ++x)
-      for (const float v : {pixels[x].r, pixels[x].g, pixels[x].b})
-        *out++ = static_cast<std::uint16_t>(codes(clamp01(v)));
+    using accel::Float4;
+    alignas(16) float clamped[4];
+    for (int x = 0; x < rows.width; ++x, out += 3) {
+      __builtin_prefetch(pixels + x + kAhead);
+      min(max(Float4(pixels[x].r, pixels[x].g, pixels[x].b, 0), Float4(0)), Float4(1)).store(clamped);  // clamp01
+      for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint16_t>(codes(clamped[c]));
+    }
   }
   void by_table(const Color* pixels, std::uint16_t* out) const {
     float samples[4];

@@ -95,12 +95,13 @@ TEST(Quantise, FineCodesAgreeWithTheFormula) {
                              GammaCase{"", scene::Gamma::power, 1, false, 2.2, {}, {}},
                              GammaCase{"", scene::Gamma::power, 2.2, true, 1, {}, {}},
                              GammaCase{"", scene::Gamma::srgb, 1, false, 1.8, {}, {}},
+                             GammaCase{"", scene::Gamma::none, 1, false, 5, {}, {}},
                              GammaCase{"", scene::Gamma::none, 1, true, 1, {}, {}}}) {
     OutputOptions options;
     options.working = c.working, options.working_gamma = c.working_gamma, options.file_srgb = c.file_srgb,
     options.file_gamma = c.file_gamma;
     const OutputCurve curve(c.working, c.working_gamma, c.file_srgb ? Curve::srgb() : Curve::power(c.file_gamma));
-    for (const int bits : {9, 12, 16}) {
+    for (const int bits : {5, 8, 9, 12, 16}) {
       options.bits = bits;
       const int max_value = (1 << bits) - 1;
       const Quantised q = quantise(picture, options);
@@ -110,7 +111,7 @@ TEST(Quantise, FineCodesAgreeWithTheFormula) {
         for (int k = 0; k < 3; ++k) {
           const float encoded = curve.encode(values[k]), clipped = encoded > 0 ? std::min(encoded, 1.0f) : 0.0f;
           const int code = static_cast<int>(std::floor(clipped * static_cast<float>(max_value) + 0.5f));
-          ASSERT_EQ(q.samples[static_cast<std::size_t>(3 * i + k)] >> (16 - bits), code)
+          ASSERT_EQ(q.samples[static_cast<std::size_t>(3 * i + k)] >> ((bits <= 8 ? 8 : 16) - bits), code)
               << values[k] << " with " << bits << " bits";
         }
       }

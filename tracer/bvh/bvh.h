@@ -10,6 +10,7 @@
 // Soupikov and Hurley, "Multi-level ray tracing algorithm", 2005.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>

@@ -2,6 +2,7 @@
 // volume hierarchies", 2007).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 

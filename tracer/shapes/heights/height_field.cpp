@@ -84,6 +84,7 @@ class HeightField final : public Primitive<HeightField> {
  private:
   HeightField(const scene::Object& description, std::shared_ptr<const HeightGrid> grid)
       : Primitive(description, {grid_box(grid->width() - 1, grid->depth() - 1, {grid->bottom(), grid->top()}), false}),
+        hierarchy_(description.hierarchy),
         grid_(std::move(grid)) {}
 
  public:
@@ -134,7 +135,7 @@ class HeightField final : public Primitive<HeightField> {
       }
       each_lane(group, [&](int k) {
         if (packet.triangle[k] < 0) return;
-        if (first_cell && (packet.t[k] < t_min || near_border(packet, k))) {
+        if ((first_cell && packet.t[k] < t_min) || near_edge(packet, k)) {
           alone(k);
           return;
         }
@@ -148,11 +149,10 @@ class HeightField final : public Primitive<HeightField> {
     return found;
   }
 
-  // Another cell may have this hit or one beside it within its tolerance.
-  static bool near_border(const HeightPacket& p, int k) {
-    const double x = p.ox[k] + p.t[k] * p.dx[k] - static_cast<double>(p.i[k]),
-                 z = p.oz[k] + p.t[k] * p.dz[k] - static_cast<double>(p.k[k]);
-    return std::min(std::min(x, 1 - x), std::min(z, 1 - z)) < 2 * kEdge;
+  // Another triangle may have this hit or one beside it within its tolerance.
+  static bool near_edge(const HeightPacket& p, int k) {
+    return edge_distance(p.ox[k] + p.t[k] * p.dx[k] - static_cast<double>(p.i[k]),
+                         p.oz[k] + p.t[k] * p.dz[k] - static_cast<double>(p.k[k])) < 2 * kEdge;
   }
 
   // Tests the cells between `enter` and `leave` whose heights the ray may meet, roughly from near to far.
@@ -188,26 +188,41 @@ class HeightField final : public Primitive<HeightField> {
         each_hit(cells[n].i, cells[n].k, o, d, enter, leave,
                  [&](double t, int) { any = any || !sink.clipped(ray.at(t)); });
         if (!any) continue;
-        const double entry = entry_into(cells[n].i, cells[n].k, o, d, enter);
-        if (entry < first) first = entry, i = cells[n].i, k = cells[n].k, end = above_of(std::min(limit, entry));
+        const Interval within = in_cell(cells[n].i, cells[n].k, o, d, enter);
+        const double entry = within.from;
+        if (!within.empty() && entry < first)
+          first = entry, i = cells[n].i, k = cells[n].k, end = above_of(std::min(limit, entry));
       }
     }
     if (first < HUGE_VAL) cell(i, k, ray, o, d, enter, leave, sink);
   }
 
-  // Where a ray enters a cell, at `enter` or later; infinite: it does not pass through it.
-  double entry_into(int i, int k, const Vec3& o, const Vec3& d, double enter) const {
-    double from = enter, to = HUGE_VAL;
-    const auto narrow = [&](double low, double origin, double along, int cells) {
-      if (along == 0) {
-        if (std::clamp(std::floor(origin), 0.0, cells - 1.0) != low) to = -HUGE_VAL;
-        return;
-      }
-      const double a = (low - origin) / along, b = (low + 1 - origin) / along;
+  // A part of a ray.
+  struct Interval {
+    double from, to;
+    bool empty() const { return !(from <= to); }
+    void cut(double low, double high, double origin, double along) {
+      const double a = (low - origin) / along, b = (high - origin) / along;
       from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+    }
+    // Whether it has heights within a range.
+    bool reaches(double low, double high, double y, double dy) const {
+      const double a = y + from * dy, b = y + to * dy;
+      return std::max(a, b) >= low && std::min(a, b) <= high;
+    }
+  };
+  static constexpr double kFar = 1e300;
+  // What is within a cell.
+  Interval in_cell(int i, int k, const Vec3& o, const Vec3& d, double enter) const {
+    Interval within{enter, kFar};
+    const auto narrow = [&](double low, double origin, double along, int cells) {
+      if (along != 0)
+        within.cut(low, low + 1, origin, along);
+      else if (std::clamp(std::floor(origin), 0.0, cells - 1.0) != low)
+        within.to = -kFar;
     };
     narrow(i, o.x, d.x, grid_->width() - 1), narrow(k, o.z, d.z, grid_->depth() - 1);
-    return from <= to ? from : HUGE_VAL;
+    return within;
   }
 
   // hit(t, triangle) for those of a cell's triangles that the ray meets.
@@ -225,9 +240,47 @@ class HeightField final : public Primitive<HeightField> {
       const double a = o.x + t * d.x - i, b = o.z + t * d.z - k;
       const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge
                                     : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
-      if (in) hit(t, triangle);
+      if (!in) continue;
+      if (inside_by(triangle, a, b) < kSurelyInside) {
+        const double h = triangle == 0 ? h00 : h11;
+        if (!is_searched(i, k, o, d, enter, leave, std::min(h, std::min(h10, h01)), std::max(h, std::max(h10, h01))))
+          continue;
+      }
+      hit(t, triangle);
     }
   }
+
+  // How far a place within a cell is from the triangles' edges.
+  static double edge_distance(double a, double b) {
+    return std::min(std::min(std::min(a, 1 - a), std::min(b, 1 - b)), std::fabs(a + b - 1));
+  }
+  // How far it is within a triangle.
+  static double inside_by(int triangle, double a, double b) {
+    return triangle == 0 ? std::min(std::min(a, b), 1 - a - b) : std::min(std::min(1 - a, 1 - b), a + b - 1);
+  }
+
+  // What lies just beyond a triangle's edge counts only where POV-Ray's search comes to it: where the ray passes
+  // through the cell, is somewhere between the triangle's lowest and highest corner while it is in the cell's column
+  // across its main direction, and likewise in a block of cells (spec 04 5.2). What is hit inside of the edges fulfils
+  // all that.
+  static constexpr double kSurelyInside = 1e-6;
+  bool is_searched(int i, int k, const Vec3& o, const Vec3& d, double enter, double leave, double low,
+                   double high) const {
+    if (in_cell(i, k, o, d, enter).empty()) return false;
+    Interval column{-kFar, kFar};
+    const bool along_x = std::fabs(d.x) >= std::fabs(d.z);
+    if (along_x && d.x != 0) column.cut(i, i + 1, o.x, d.x);
+    if (!along_x) column.cut(k, k + 1, o.z, d.z);
+    if (!column.reaches(low, high, o.y, d.y)) return false;
+    if (!hierarchy_) return true;
+    const HeightGrid::SearchBlock& block = grid_->search_block(i, k);
+    Interval within{enter, leave};
+    // A ray that goes back leaves a block a cell later than it seems.
+    if (d.x != 0) within.cut(block.x0 - (d.x < 0), block.x1, o.x, d.x);
+    if (d.z != 0) within.cut(block.z0 - (d.z < 0), block.z1, o.z, d.z);
+    return within.reaches(block.low - 0.001, block.high + 0.001, o.y, d.y);
+  }
+
   // True: a hit was accepted.
   template <class Sink>
   bool cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
@@ -240,6 +293,7 @@ class HeightField final : public Primitive<HeightField> {
   }
 
   bool in_csg_ = false;
+  const bool hierarchy_;
   std::shared_ptr<const HeightGrid> grid_;
 };
 

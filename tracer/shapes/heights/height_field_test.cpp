@@ -235,6 +235,41 @@ TEST(HeightField, TheFirstCellOnTheWayCounts) {
   }
 }
 
+// A field of n samples a side, and a ray in units of cells and heights: whether it is hit.
+bool meets(int n, const std::function<int(int, int)>& height, bool hierarchy, const Vec3& origin,
+           const Vec3& direction) {
+  const double cells = n - 1;
+  const auto f = field(function_image(n, n, [&](double x, double y) {
+    return (height(static_cast<int>(std::lround(x * cells)), static_cast<int>(std::lround((1 - y) * cells))) + 0.5) /
+           65535;
+  }));
+  auto o = object(f);
+  o.hierarchy = hierarchy;
+  const auto scaled = [&](const Vec3& v) { return Vec3(v.x / cells, v.y / 65536, v.z / cells); };
+  Hit hit;
+  return compile(o)->intersect({scaled(origin), scaled(direction)}, RayKind::camera, 1e-4, 100, hit);
+}
+
+// A ray that rises above the three upper corners of a triangle, which it meets within the tolerance of its edge, in
+// POV-Ray by blocks: it counts where something else in the block of cells is as high, or without `hierarchy`.
+TEST(HeightField, BeyondAnEdgeWhatIsAroundCounts) {
+  for (const bool hierarchy : {true, false})
+    for (const int high : {2, 3, 4, 7, 8, 9, 10}) {
+      const auto height = [&](int i, int k) { return k == 5 && i == 5 ? 0 : k == 5 && i == high ? 65535 : 60000; };
+      EXPECT_EQ(meets(12, height, hierarchy, {5.3, 60003.1, 5.70005}, {1e-3, 1, 1e-4}),
+                !hierarchy || (high >= 4 && high <= 8))
+          << high;
+    }
+}
+
+// The upper end of a cliff reaches over its edge by 1e-4 of a cell, higher than it is: who passes above does not meet
+// it there.
+TEST(HeightField, BeyondAnEdgeATriangleIsNoHigherThanItsCorners) {
+  const auto height = [](int i, int k) { return i >= 4 ? 60000 : i == 0 && k == 0 ? 65535 : 0; };
+  for (const bool hierarchy : {true, false})
+    EXPECT_FALSE(meets(12, height, hierarchy, {4.3, 60003, 1.37}, {-1, 0, 0.01}));
+}
+
 TEST(HeightField, SmoothNormalsAreUnitLength) {
   auto f =
       field(function_image(9, 9, [](double x, double y) { return 0.5 + 0.3 * std::sin(5 * x) * std::cos(4 * y); }));

@@ -28,6 +28,7 @@ HeightGrid::HeightGrid(const scene::HeightField& field)
   width_ = map_->width, depth_ = map_->depth, heights_ = map_->heights.data();
   if (empty()) return;
   build_pyramid();
+  build_search_blocks();
   smooth_ = field.smooth;
   if (smooth_) normals_.reset(static_cast<std::uint64_t*>(std::calloc(map_->heights.size(), sizeof(std::uint64_t))));
 }
@@ -92,6 +93,25 @@ void HeightGrid::build_pyramid() {
   levels_.emplace_back();  // level 0 is the heights themselves
   levels_.push_back(blocks_of_cells());
   while (levels_.back().width > 1 || levels_.back().depth > 1) levels_.push_back(blocks_of_blocks(levels_.back()));
+}
+
+HeightGrid::SearchBlock HeightGrid::block_between(int i0, int i1, int k0, int k1) const {
+  std::uint16_t low = 65535, high = 0;
+  for (int k = k0; k <= k1; ++k) {
+    const std::uint16_t* const row = &heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_)];
+    for (int i = i0; i <= i1; ++i) low = std::min(low, row[i]), high = std::max(high, row[i]);
+  }
+  return {double(i0), double(i1), double(k0), double(k1), low, high};
+}
+
+// Some square root of n blocks along n cells (spec 04 5.2).
+void HeightGrid::build_search_blocks() {
+  const auto cells_of_block = [](int n) { return n / std::max(1, static_cast<int>(std::sqrt(n - 1.0))) + 1; };
+  const int w = width_ - 1, d = depth_ - 1;
+  search_width_ = cells_of_block(w), search_depth_ = cells_of_block(d), search_across_ = (w - 1) / search_width_ + 1;
+  for (int k = 0; k < d; k += search_depth_)
+    for (int i = 0; i < w; i += search_width_)
+      search_blocks_.push_back(block_between(i, std::min(i + search_width_, w), k, std::min(k + search_depth_, d)));
 }
 
 Vec3 HeightGrid::smooth_normal(int i, int k) const {

@@ -53,6 +53,16 @@ class HeightGrid {
     return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
   }
 
+  // The block of cells, and how high and low it is, in which POV-Ray's search looks at cell (i, k).
+  struct SearchBlock {
+    double x0, x1, z0, z1;
+    std::uint16_t low, high;
+  };
+  const SearchBlock& search_block(int i, int k) const {
+    return search_blocks_[static_cast<std::size_t>(k / search_depth_) * static_cast<std::size_t>(search_across_) +
+                          static_cast<std::size_t>(i / search_width_)];
+  }
+
   bool smooth() const { return smooth_; }
   // The sum of the unit normals of the up to four triangles around a sample, cut to multiples of 1/32767. Heights count
   // 65536 to a unit, so the vertical part is small and coarse, as it is in POV-Ray. Computed when it is first
@@ -77,6 +87,8 @@ class HeightGrid {
   Level blocks_of_cells() const;
   static Level blocks_of_blocks(const Level& below);
   void build_pyramid();
+  SearchBlock block_between(int i0, int i1, int k0, int k1) const;
+  void build_search_blocks();
 
   std::shared_ptr<const scene::HeightMap> map_;
   int width_ = 0, depth_ = 0;
@@ -84,6 +96,8 @@ class HeightGrid {
   Limits limits_;
   const std::uint16_t* heights_ = nullptr;  // of the map
   std::vector<Level> levels_;
+  int search_width_ = 1, search_depth_ = 1, search_across_ = 0;  // cells of a block; blocks from left to right
+  std::vector<SearchBlock> search_blocks_;
   bool smooth_ = false;
   // Normals that have been asked for: three times sixteen bits, and one that says so. What nobody looks at takes no
   // memory. Null: there was none, they are computed each time.

@@ -17,7 +17,8 @@ Vec3 centroid(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
   return middle;
 }
 
-// Barycentric weights of p in a 2-D triangle; false outside, where a weight is below -tolerance.
+// Barycentric weights of p in a 2-D triangle; false outside, where a weight is below -tolerance. Areas are measured
+// from p, that of the triangle from its first corner: from another one the last bits differ (spec 02 1.7).
 bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, double tolerance, double weights[3]) {
   const auto twice_area = [](const Vec2& o, const Vec2& v, const Vec2& w) {
     return (v.x - o.x) * (w.y - o.y) - (w.x - o.x) * (v.y - o.y);
@@ -89,7 +90,7 @@ std::optional<Ray> MeshCamera::by_uv(const Vec2& uv) const {
   const scene::MeshData& mesh = *camera_.meshes.front();
   const scene::MeshTriangle& t = mesh.triangles[place->triangle];
   Vec3 origin(0, 0, 0);
-  for (int i = 0; i < 3; ++i) origin += shapes::kept_vertex(mesh, t, i) * place->weights[i];
+  for (std::size_t i = 0; i < 3; ++i) origin += shapes::kept_vertex(mesh, t, place->corners[i]) * place->weights[i];
   if (!camera_.smooth) return finished(0, origin, shapes::kept_normal(mesh, t));
   return finished(0, origin, shapes::is_smooth(mesh, t) ? shapes::smooth_normal(mesh, t, origin) : Vec3(0));
 }
@@ -100,9 +101,9 @@ std::optional<MeshCamera::UvPlace> MeshCamera::uv_place(const Vec2& uv, double t
     if (first && first->triangle < i) return false;
     const scene::MeshData& mesh = *camera_.meshes.front();
     const scene::MeshTriangle& t = mesh.triangles[i];
-    UvPlace place{i, {}};
-    if (barycentric(uv, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], tolerance, place.weights))
-      first = place;
+    UvPlace place{i, shapes::kept_corners(mesh, t), {}};
+    const auto corner = [&](std::size_t n) { return mesh.uvs[t.uv[static_cast<std::size_t>(place.corners[n])]]; };
+    if (barycentric(uv, corner(0), corner(1), corner(2), tolerance, place.weights)) first = place;
     return false;
   });
   return first;

@@ -1,6 +1,7 @@
 // mesh_camera: one ray from every face of a mesh (spec 02 section 1.7).
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "tracer/bvh/bvh.h"
@@ -29,7 +30,8 @@ class MeshCamera {
   // The first triangle around a point of the UV map, and the point's weights in it.
   struct UvPlace {
     std::uint32_t triangle;
-    double weights[3];
+    std::array<int, 3> corners;  // in the order in which POV-Ray keeps them
+    double weights[3];           // of these
   };
   std::optional<UvPlace> uv_place(const Vec2& uv, double tolerance) const;
 

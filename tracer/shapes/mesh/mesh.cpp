@@ -24,6 +24,9 @@ class Mesh final : public TreePrimitive<Mesh> {
       const Vec3 v = *mesh.data->inside_vector;
       inside_direction_ = normalize(has_matrix() ? matrix().inverse_direction(v) : v);
     }
+    const Box3 all = mesh_vertex_box(*mesh.data);
+    for (int k = 0; k < 3; ++k)
+      rounding_ = std::max({rounding_, std::fabs(all.min[k]) * 0x1p-22, std::fabs(all.max[k]) * 0x1p-22});
     interior_texture_ = description.interior_texture != nullptr;
     textures_ = mesh.textures.empty() ? mesh.data->textures : mesh.textures;
   }
@@ -107,20 +110,27 @@ class Mesh final : public TreePrimitive<Mesh> {
     each_lane(rays.active, [&](int k) { found |= packet.triangle[k] >= 0 ? 1u << k : 0; });
     return found;
   }
-  // A ray that hardly leaves a plane of coordinates, where a face of the triangle's box may lie: rounding decides
-  // whether POV-Ray's search lets it into that box (spec 08 C).
-  bool refused(const Ray& ray, std::uint32_t triangle) const {
-    constexpr double kLevel = 1e-12;
+  // A ray that hardly leaves a plane of coordinates, in which a face of the box of the triangle lies that it meets:
+  // rounding decides whether POV-Ray's search lets it into that box and those around it (spec 08 C). `t`: in mesh
+  // space.
+  bool refused(const Ray& ray, double t, std::uint32_t triangle) const {
+    constexpr double kLevel = 1e-6;
     const Vec3& d = ray.direction;
-    const bool level = std::fabs(d.x) < kLevel || std::fabs(d.y) < kLevel || std::fabs(d.z) < kLevel;
-    return level && !in_order_ && !accel::Hierarchy::enters(ray, geometry_->bounds(triangle));
+    if (!(std::fabs(d.x) < kLevel || std::fabs(d.y) < kLevel || std::fabs(d.z) < kLevel) || in_order_) return false;
+    const scene::Bounds box = geometry_->bounds(triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double from_low = ray.origin[k] + t * d[k] - static_cast<double>(box.low[k]);
+      if (std::fabs(d[k]) < kLevel && std::min(from_low, static_cast<double>(box.size[k]) - from_low) < rounding_)
+        return true;
+    }
+    return false;
   }
   unsigned refused_lanes(const MeshPacket& packet, unsigned lanes) const {
     const LocalPacket& l = packet.rays;
     unsigned result = 0;
     each_lane(lanes, [&](int k) {
       const Ray ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}};
-      if (refused(ray, static_cast<std::uint32_t>(packet.triangle[k]))) result |= 1u << k;
+      if (refused(ray, packet.t[k] * l.scale[k], static_cast<std::uint32_t>(packet.triangle[k]))) result |= 1u << k;
     });
     return result;
   }
@@ -157,7 +167,7 @@ class Mesh final : public TreePrimitive<Mesh> {
           return limit();
         },
         entry);
-    return met_two || (nearest >= 0 && refused({r.origin, r.direction}, nearest_triangle));
+    return met_two || (nearest >= 0 && refused({r.origin, r.direction}, nearest * r.scale, nearest_triangle));
   }
 
   // Whether the mesh has a hit nearer than the one that the caller took: one that is too near for it, or outside the
@@ -194,6 +204,7 @@ class Mesh final : public TreePrimitive<Mesh> {
   std::shared_ptr<const MeshGeometry> geometry_;
   bool solid_ = false, partial_ = false, in_order_ = false, interior_texture_ = false;
   Vec3 inside_direction_{0, 0, 0};
+  double rounding_ = 0;  // more than what faces of boxes are off by, in binary32
   std::vector<scene::TexturePtr> textures_;
 };
 

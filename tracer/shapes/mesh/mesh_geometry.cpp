@@ -89,9 +89,13 @@ Vec3 kept_normal(const scene::MeshData& data, const scene::MeshTriangle& t) {
   return f32(plane_normal(data.vertices[t.vertex[0]], data.vertices[t.vertex[1]], data.vertices[t.vertex[2]]));
 }
 
-Vec3 smooth_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const Vec3& p) {
+std::array<int, 3> kept_corners(const scene::MeshData& data, const scene::MeshTriangle& t) {
   const Vec3 n = plane_normal(data.vertices[t.vertex[0]], data.vertices[t.vertex[1]], data.vertices[t.vertex[2]]);
-  return interpolated_normal(data, t, corners_of(data, t, axes_beside(dominant_axis(n))), p);
+  return corners_of(data, t, axes_beside(dominant_axis(n)));
+}
+
+Vec3 smooth_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const Vec3& p) {
+  return interpolated_normal(data, t, kept_corners(data, t), p);
 }
 
 std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const scene::MeshData>& data) {

@@ -78,6 +78,8 @@ class MeshGeometry {
 Vec3 kept_vertex(const scene::MeshData& data, const scene::MeshTriangle& t, int corner);
 Vec3 kept_normal(const scene::MeshData& data, const scene::MeshTriangle& t);
 bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t);
+// Its corner numbers in POV-Ray's canonical order: 0 and 1 may be exchanged.
+std::array<int, 3> kept_corners(const scene::MeshData& data, const scene::MeshTriangle& t);
 // Interpolated normal of a smooth triangle, not normalised.
 Vec3 smooth_normal(const scene::MeshData& data, const scene::MeshTriangle& t, const Vec3& p);
 

@@ -39,13 +39,7 @@ class MeshReader {
   std::shared_ptr<MeshData> data = std::make_shared<MeshData>();
   NormalFixer normals{parser, "mesh"};
   TextureTable textures{data->textures};
-
-  std::uint32_t add_uv(const Vec2& uv) {
-    if (data->uvs.empty()) data->uvs.push_back({0, 0});
-    if (uv == Vec2(0, 0)) return 0;
-    data->uvs.push_back(uv);
-    return static_cast<std::uint32_t>(data->uvs.size() - 1);
-  }
+  UvTable uvs{data->uvs};
 
   void triangle(bool smooth) {
     parser.next();
@@ -75,7 +69,7 @@ class MeshReader {
     const auto first = static_cast<std::uint32_t>(data->vertices.size());
     for (std::size_t i = 0; i < 3; ++i) {
       t.vertex[i] = first + static_cast<std::uint32_t>(i);
-      t.uv[i] = add_uv(uv[i]);
+      t.uv[i] = uvs.index(uv[i]);
     }
     data->vertices.insert(data->vertices.end(), p.begin(), p.end());
     t.normal = {0, 0, 0};

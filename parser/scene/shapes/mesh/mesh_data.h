@@ -49,4 +49,18 @@ class TextureTable {
   std::unordered_map<const scene::Texture*, std::int32_t> known;
 };
 
+// UV coordinates of triangles. Like POV-Ray it keeps one of those that are almost equal, the first, where both fall
+// into the same of POV-Ray's cells (spec 04 1.2).
+class UvTable {
+ public:
+  explicit UvTable(std::vector<Vec2>& list) : uvs(list) {}
+  std::uint32_t index(const Vec2& uv);
+
+ private:
+  using Key = std::uint64_t;
+  static Key key(const Vec2& uv, double x, double y);
+  std::vector<Vec2>& uvs;
+  std::unordered_multimap<Key, std::uint32_t> known;
+};
+
 }  // namespace verisim::parser

@@ -141,24 +141,6 @@ TEST_F(Text, OwnWallsAreInsideByTheLastBit) {
   }
 }
 
-// A text is a union of letters, twice inverted a merge: its flags count in intersections (spec 03 5.5).
-TEST_F(Text, FlagsCountInIntersections) {
-  const auto hits = [](bool inverted_twice, RayKind kind) {
-    const ObjectRef letter = object(text(u"I", 1));
-    letter->no_image = letter->no_reflection = true;
-    for (int i = 0; i < (inverted_twice ? 2 : 0); ++i) scene::invert(*letter);
-    const ObjectRef cut = make_difference({letter});
-    HitList found;
-    compile(*cut)->intersect_all({{.17, .3, -2}, {0, 0, 1}}, kind, found);
-    return found.size();
-  };
-  EXPECT_EQ(hits(false, RayKind::camera), 2u);
-  EXPECT_EQ(hits(false, RayKind::reflected), 0u);
-  EXPECT_EQ(hits(false, RayKind::refracted), 0u);
-  EXPECT_EQ(hits(true, RayKind::camera), 0u);
-  EXPECT_EQ(hits(true, RayKind::shadow), 2u);
-}
-
 TEST_F(Text, NegativeDepthHasNoSurface) { EXPECT_FALSE(trace(object(text(u"A", -0.3)), {.35, .3, -5}, {0, 0, 1})); }
 
 TEST_F(Text, IntersectionsSeparateInsideFromOutside) {

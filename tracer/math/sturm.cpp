@@ -179,6 +179,8 @@ class Isolation {
     for (; steps < kMaxSteps; ++steps) {
       middle = 0.5 * (low + high);
       const int changes = chain_.sign_changes(middle);
+      // Rounding, beside a multiple root: POV-Ray gives that up.
+      if (single && changes != changes_low && changes != changes_high) return;
       const double width = std::fabs(middle) > kPrecision ? std::fabs((high - low) / middle) : std::fabs(high - low);
       if (width < kPrecision) break;
       if (!single && changes != changes_low && changes != changes_high) {

@@ -113,12 +113,11 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     const double large = std::max(x, y), small = std::min(x, y);
     const double across = large > 0 ? search_.across().raise(small / large) : 0, along = search_.all().raise(z),
                  rest = 1 - along;
-    const auto part = [](double power, double base, const EllipsoidNorm& norm) {
-      return base > 0 ? power / base : norm.exponent == 1 ? 1.0 : 0.0;
-    };
-    const double most = large > 0 ? rest / large : 0, least = part(rest * across, small, search_.across());
+    // In a plane of coordinates the normal lies in it, though the surface may have an edge there.
+    const auto part = [](double power, double base) { return base > 0 ? power / base : 0.0; };
+    const double most = large > 0 ? rest / large : 0, least = part(rest * across, small);
     const Vec3 g(std::copysign(x < y ? least : most, v.x), std::copysign(x < y ? most : least, v.y),
-                 std::copysign(part(along, z, search_.all()) * (1 + across), v.z));
+                 std::copysign(part(along, z) * (1 + across), v.z));
     const double largest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
     return world_normal(g);

@@ -171,5 +171,14 @@ TEST(LastBits, SuperellipsoidFromItsSurface) {
                                                      {-0.9999999956337312, -0.0, -9.344804670138125e-05}}});
 }
 
+// Where a coordinate is 0 that of the normal is, too, though the surface has an edge there.
+TEST(LastBits, EdgesOfSuperellipsoids) {
+  expect_bits(
+      make(scene::Superellipsoid{2, 2}),
+      {{{0, 0.3, -6}, {0, 0, 1}, {0, 0.3, -0.70000000000000018}, {0, 0.70710678118654724, -0.70710678118654768}},
+       {{-0.3, 0, -6}, {0, 0, 1}, {-0.3, 0, -0.70000000000000018}, {-0.70710678118654724, 0, -0.70710678118654768}},
+       {{0, 0, -6}, {0, 0, 1}, {0, 0, -1}, {0, 0, -1}}});
+}
+
 }  // namespace
 }  // namespace verisim::shapes::testing

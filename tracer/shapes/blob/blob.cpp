@@ -53,7 +53,7 @@ class Blob final : public SearchPrimitive<Blob> {
         return limit;
       });
     }
-    search(ray, l, pieces, sink);
+    search(ray, l, pieces, sink, [&] { return add_halves_behind(l, pieces); });
   }
 
   bool takes_packets() const { return !spheres_.empty() || !tree_.empty(); }
@@ -182,24 +182,85 @@ class Blob final : public SearchPrimitive<Blob> {
     each_lane(admitted, [&](int k) {
       visit(k, [&](auto& sink) {
         if (count > kMax) return intersections(rays.at(k), sink);
+        const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
         Scratch<Piece> pieces;
         for (std::size_t i = 0; i < count; ++i) {
           const PiecePacket& p = met[i];
-          if (p.met >> k & 1) add_piece(*p.part, {p.t0[k], p.t1[k], p.scale2[k], p.peak[k]}, pieces);
+          if (p.met >> k & 1)
+            add_piece(*p.part, ray, {std::max(p.t0[k], 0.0), p.t1[k], p.scale2[k], p.peak[k]}, pieces);
         }
-        const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
-        search(rays.at(k), ray, pieces, sink);
+        search(rays.at(k), ray, pieces, sink, [&] {
+          if (spheres_.empty()) return add_halves_behind(ray, pieces);  // the tree does not look behind
+          const std::size_t before = pieces.size();
+          for (std::size_t i = 0; i < count; ++i)
+            if (met[i].behind >> k & 1)
+              add_half_behind(*met[i].part, {met[i].t0[k], met[i].t1[k], met[i].whole_end[k]}, pieces);
+          return pieces.size() > before;
+        });
       });
     });
   }
 
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     RayPiece p;
-    if (blob_kernels().piece(part, l.origin, l.direction, p)) add_piece(part, p, pieces);
+    if (blob_kernels().piece(part, l.origin, l.direction, p)) add_piece(part, l, p, pieces);
   }
-  static void add_piece(const Part& part, const RayPiece& p, Scratch<Piece>& pieces) {
+  static void add_piece(const Part& part, const LocalRay& l, const RayPiece& p, Scratch<Piece>& pieces) {
+    if (p.t1 < kNearest && ends_too_near(part, l)) return;
     Piece& piece = pieces.add();
     piece.t0 = p.t0, piece.t1 = p.t1, piece.part = &part, piece.scale2 = p.scale2, piece.peak = p.peak;
+  }
+
+  static bool is_half(const Part& part) { return part.kind == PartKind::base || part.kind == PartKind::apex; }
+  // Spheres and walls of capsules that end before the first hit may lie are none to POV-Ray; half spheres are.
+  static bool ends_too_near(const Part& part, const LocalRay& l) {
+    LinePiece line;
+    return !is_half(part) && !RaysWithin::now() && blob_kernels().line_piece(part, l.origin, l.direction, line) &&
+           line.whole_end < kNearest;
+  }
+
+  static bool contains_point(const Box3& box, const Vec3& p) {
+    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z &&
+           p.z <= box.max.z;
+  }
+  // Some of a sphere, which no more than rounding makes smaller than the part.
+  static bool may_lie_behind(const PartSpheres& spheres, std::size_t i, const LocalRay& l) {
+    const Vec3 to(spheres.x[i] - l.origin.x, spheres.y[i] - l.origin.y, spheres.z[i] - l.origin.z);
+    return dot(to, l.direction) < 0 || dot(to, to) <= 1.001 * spheres.radius[i] * spheres.radius[i];
+  }
+
+  // Half spheres behind a ray, through which its line passes, are pieces of no length at its start to POV-Ray, added
+  // and taken away again: it shows in the last digits of the running sum. They come in the order of the line, but
+  // where the plane ends them that is at the start itself. True: there are any.
+  static void add_half_behind(const Part& part, const LinePiece& line, Scratch<Piece>& pieces) {
+    Piece& piece = pieces.add();
+    piece = Piece();
+    piece.t0 = line.t0, piece.t1 = line.t1 < line.whole_end ? 0 : line.t1, piece.part = &part;
+  }
+  bool add_halves_behind(const LocalRay& l, Scratch<Piece>& pieces) const {
+    if (!contains_point(shared_->box, l.origin)) return false;  // all is before the ray, or nothing
+    const std::size_t before = pieces.size();
+    const auto add = [&](const Part& part) {
+      LinePiece line;
+      if (is_half(part) && blob_kernels().line_piece(part, l.origin, l.direction, line) && line.t1 <= 0)
+        add_half_behind(part, line, pieces);
+    };
+    if (!spheres_.empty()) {
+      std::uint64_t near = blob_kernels().near(spheres_.data(), spheres_.size(), l.origin, l.direction, 0, 0);
+      near &= shared_->halves;
+      for (; near != 0; near &= near - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(near));
+        if (may_lie_behind(spheres_[i / 8], i % 8, l)) add(parts_[i]);
+      }
+    } else if (tree_.empty()) {
+      for (const Part& part : parts_) add(part);
+    } else {
+      tree_.traverse({l.origin, -1.0 * l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
+        add(parts_[i]);
+        return limit;
+      });
+    }
+    return pieces.size() > before;
   }
 
   // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
@@ -235,7 +296,7 @@ class Blob final : public SearchPrimitive<Blob> {
     constexpr std::size_t kMax = 1024;
     const std::size_t sections = std::min(kMax, std::bit_ceil(4 * pieces.size()));  // so many that few ends share one
     const double scale = std::min(static_cast<double>(sections - 1) / span, 1e300);
-    const auto section = [&](double t) { return static_cast<std::size_t>((t - start) * scale); };
+    const auto section = [&](double t) { return static_cast<std::size_t>(std::max(t - start, 0.0) * scale); };
     std::uint16_t next[kMax + 1];
     std::fill_n(next, sections + 1, std::uint16_t{0});
     for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -274,11 +335,13 @@ class Blob final : public SearchPrimitive<Blob> {
   }
 
   // The hits of a ray that its sink asks for, interval by interval.
-  template <class Sink>
-  void search(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, Sink& sink) const {
+  // `add_behind` adds the half spheres behind the ray, if there are any.
+  template <class Sink, class AddBehind>
+  void search(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, Sink& sink, AddBehind&& add_behind,
+              bool all_pieces = false) const {
     double start = HUGE_VAL, end = -HUGE_VAL, peak = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      start = std::min(start, pieces[i].t0), end = std::max(end, pieces[i].t1);
+      start = std::min(start, std::max(pieces[i].t0, 0.0)), end = std::max(end, pieces[i].t1);
       peak += pieces[i].peak;
     }
     const double span = end - start;
@@ -295,6 +358,9 @@ class Blob final : public SearchPrimitive<Blob> {
       if (intervals.to < too_near || misses(intervals.peak, rounding)) continue;
       if (keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
       if (intervals.from < too_near && keeps_its_sign_by_far(intervals.power, too_near, intervals.to)) continue;
+      // What lies behind is looked for where it may matter: few rays come to here.
+      if (!all_pieces && shared_->capsules && add_behind()) return search(ray, l, pieces, sink, add_behind, true);
+      all_pieces = true;
       if (solve(ray, intervals, sink) && Sink::kNearest) return;
     }
   }

@@ -1,6 +1,7 @@
 // A ray through a blob: the pieces that lie within reach of a part, and the intervals between their ends.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -11,7 +12,7 @@ namespace verisim::shapes::blob {
 
 inline constexpr double kShortest = 1e-10;  // of a interval, beside all of them
 
-// Within reach of a part for t0 < t < t1.
+// Within reach of a part for t0 < t < t1. Of a half sphere behind the ray t0 < 0, and t1 <= 0.
 struct Piece {
   double t0, t1;
   const BlobPart* part;
@@ -56,7 +57,7 @@ class Intervals {
         pieces_(pieces),
         count_(count),
         scale_(ray.scale),
-        start(events[0].t),
+        start(std::max(events[0].t, 0.0)),
         span(events[count - 1].t - start),
         origin_(ray.origin + start * ray.direction),
         direction_(span * ray.direction) {

@@ -19,10 +19,11 @@ namespace HWY_NAMESPACE {
 using namespace accel::HWY_NAMESPACE;
 using namespace simd::HWY_NAMESPACE;
 
-// Where rays are within reach of a part; `nearest2`: their squared distance from the centre or axis there.
+// Where rays are within reach of a part; `nearest2`: their squared distance from the centre or axis there. `whole_end`:
+// where they leave the sphere or the endless cylinder that the part is cut from.
 template <class Number>
 struct Course {
-  Number t0, t1, scale2, nearest2;
+  Number t0, t1, scale2, nearest2, whole_end;
 };
 
 // One ray need not go on once it is out of reach.
@@ -32,11 +33,11 @@ HWY_INLINE bool out_of_reach(const typename Number::Mask& met) {
   return false;
 }
 
-// The lanes that come within reach. `Number` is a packet of the rays that go together: Packet, or PacketOf<1>. The
-// order of operations is POV-Ray's (spec 08 N).
+// The lanes whose lines come within reach, before or behind. `Number` is a packet of the rays that go together: Packet,
+// or PacketOf<1>. The order of operations is POV-Ray's (spec 08 N).
 template <class Number>
-HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number> o, PacketVector<Number> d,
-                                      Course<Number>& course) {
+HWY_INLINE typename Number::Mask line_meets(const BlobPart& part, PacketVector<Number> o, PacketVector<Number> d,
+                                            Course<Number>& course) {
   using Mask = typename Number::Mask;
   Number scale = 1.0;
   if (part.moved) {
@@ -65,6 +66,7 @@ HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number>
     course.t0 = -b - root, course.t1 = -b + root;
     course.nearest2 = c - b * b;
   }
+  course.whole_end = course.t1;
   if (part.kind != BlobPartKind::sphere) {
     const double low = part.kind == BlobPartKind::base ? -HUGE_VAL : 0;
     const double high = part.kind == BlobPartKind::base       ? 0
@@ -77,11 +79,19 @@ HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number>
     course.t0 = select(across, course.t0, max(course.t0, select(swapped, to_high, to_low)));
     course.t1 = select(across, course.t1, min(course.t1, select(swapped, to_low, to_high)));
   }
-  if (part.moved) course.t0 = course.t0 / scale, course.t1 = course.t1 / scale;
-  course.t0 = max(Number(0.0), course.t0);
-  met = met & (course.t1 > 0.0);
+  if (part.moved)
+    course.t0 = course.t0 / scale, course.t1 = course.t1 / scale, course.whole_end = course.whole_end / scale;
   course.scale2 = scale * scale / part.radius2;
   return met & (course.t1 > course.t0) & (course.t1 < HUGE_VAL);
+}
+
+// The lanes that come within reach.
+template <class Number>
+HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number> o, PacketVector<Number> d,
+                                      Course<Number>& course) {
+  const typename Number::Mask met = line_meets(part, o, d, course);
+  course.t0 = max(Number(0.0), course.t0);
+  return met & (course.t1 > 0.0);
 }
 
 // What a part adds to the field at most: that of a positive part is largest where the ray is closest.
@@ -125,15 +135,19 @@ using RayVectors = PacketVector<Packet>;
 HWY_INLINE RayVectors origins(const LocalPacket& rays) { return {load(rays.ox), load(rays.oy), load(rays.oz)}; }
 HWY_INLINE RayVectors directions(const LocalPacket& rays) { return {load(rays.dx), load(rays.dy), load(rays.dz)}; }
 
-// False: none of the lanes meets the part.
+// False: the lines of none of the lanes come within reach of the part.
 HWY_INLINE bool take_piece(const BlobPart& part, const RayVectors& o, const RayVectors& d, unsigned lanes,
                            PiecePacket& piece) {
   Course<Packet> course;
-  const unsigned met = bits(meet(part, o, d, course)) & lanes;
-  if (met == 0) return false;
-  store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.scale2, course.scale2);
-  store(piece.peak, peak_of(part, course));
-  piece.part = &part, piece.met = met;
+  const unsigned line = bits(line_meets(part, o, d, course)) & lanes;
+  if (line == 0) return false;
+  piece.met = line & bits(course.t1 > 0.0);
+  piece.behind = part.kind == BlobPartKind::base || part.kind == BlobPartKind::apex ? line & ~piece.met : 0;
+  if ((piece.met | piece.behind) == 0) return false;
+  store(piece.t0, piece.behind != 0 ? course.t0 : max(Packet(0.0), course.t0)), store(piece.t1, course.t1);
+  store(piece.scale2, course.scale2), store(piece.peak, peak_of(part, course));
+  if (piece.behind != 0) store(piece.whole_end, course.whole_end);
+  piece.part = &part;
   return true;
 }
 
@@ -186,6 +200,15 @@ bool find_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction,
   return true;
 }
 
+bool find_line_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction, LinePiece& piece) {
+  using One = PacketOf<1>;
+  Course<One> course;
+  const PacketVector<One> o = {origin.x, origin.y, origin.z}, d = {direction.x, direction.y, direction.z};
+  if (bits(line_meets(part, o, d, course)) == 0) return false;
+  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.whole_end, course.whole_end);
+  return true;
+}
+
 // How many of numbers[first .. end) stand before those of the packet.
 template <class Before>
 HWY_INLINE Packet count_before(const double* numbers, int first, int end, const Before& before) {
@@ -214,7 +237,8 @@ void ranks(const double* numbers, int count, double* places) {
   }
 }
 
-const BlobKernels kKernels = {near_parts, parts_around, find_pieces, find_pieces_in_tree, find_piece, ranks};
+const BlobKernels kKernels = {near_parts, parts_around,    find_pieces, find_pieces_in_tree,
+                              find_piece, find_line_piece, ranks};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -23,17 +23,24 @@ struct BlobPart {
 };
 
 // A part is within reach for t0 < t < t1 along rays; no more than `peak` does it add to the field, but for rounding.
-// `scale2` is the squared length of the direction beside the squared radius.
+// `scale2` is the squared length of the direction beside the squared radius. Half spheres may lie behind rays: then t0
+// is negative, and `whole_end` is where the line leaves the whole sphere.
 struct alignas(64) PiecePacket {
   using Lane = double[RayPacket::kCount];
-  Lane t0, t1, scale2, peak;
+  Lane t0, t1, scale2, peak, whole_end;
   const BlobPart* part;
-  unsigned met;  // by these lanes
+  unsigned met, behind;  // by these lanes; of these
 };
 
 // The same of one ray.
 struct RayPiece {
   double t0, t1, scale2, peak;
+};
+
+// Of the endless line along a ray, which may lie behind the ray's start. `whole_end`: where it leaves the sphere or the
+// endless cylinder that the part is cut from.
+struct LinePiece {
+  double t0, t1, whole_end;
 };
 
 // Spheres around eight parts; behind the last part stand spheres that nothing meets.
@@ -56,6 +63,7 @@ struct BlobKernels {
                                 PiecePacket* pieces, std::size_t most);
   // Whether one ray comes within reach of a part, and where.
   bool (*piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece);
+  bool (*line_piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, LinePiece& piece);
   // The place of each of some numbers, which are none of them NaN, among all in order; equal ones keep theirs. Numbers
   // are read and places written eight at a time.
   void (*ranks)(const double* numbers, int count, double* places);

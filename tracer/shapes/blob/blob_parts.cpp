@@ -73,13 +73,14 @@ PartList parts_of(const scene::Blob& blob) {
     const Box3 base = box_of_sphere(c.a, radius, moved), apex = box_of_sphere(c.b, radius, moved);
     Box3 both = base;
     both.extendBy(apex);
-    part.kind = BlobPartKind::cylinder;
-    add(both, 0.5 * (c.a + c.b), around, {0, 0, 0.5 * len});
     part.kind = BlobPartKind::base;
     add(base, c.a, radius, Vec3(0));
     part.kind = BlobPartKind::apex;
     part.center = {0, 0, len};
     add(apex, c.b, radius, part.center);
+    part.kind = BlobPartKind::cylinder;
+    part.center = Vec3(0);
+    add(both, 0.5 * (c.a + c.b), around, {0, 0, 0.5 * len});
   }
   return list;
 }
@@ -127,6 +128,9 @@ BlobParts::BlobParts(const scene::Blob& blob) {
     finite = finite && accel::is_finite(reach) && !accel::is_empty(reach);
     box.extendBy(reach);
     if (parts[i].k2 > 0) positive_box.extendBy(reach);
+    capsules = capsules || parts[i].kind == BlobPartKind::cylinder;
+    const bool half = parts[i].kind == BlobPartKind::base || parts[i].kind == BlobPartKind::apex;
+    if (half && i < 64) halves |= std::uint64_t{1} << i;
   }
   constexpr std::size_t kFewParts = 2;
   if (parts.size() <= kMaxInSpheres && finite) spheres = spheres_around(list.reaches);

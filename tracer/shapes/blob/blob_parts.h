@@ -1,6 +1,7 @@
 // What a blob is made of.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,9 @@ struct BlobParts {
   std::vector<BlobPart> parts;       // in the order of POV-Ray's hierarchy, which decides the last digits of sums
   std::vector<PartSpheres> spheres;  // around their reach, if the parts are not too many
   accel::Bvh tree;
-  Box3 box, positive_box;  // around the reach of all parts, and of those that add to the field
+  bool capsules = false;     // whether there are any
+  std::uint64_t halves = 0;  // the half spheres among the first 64, as bits
+  Box3 box, positive_box;    // around the reach of all parts, and of those that add to the field
 
   static constexpr std::size_t kMaxInSpheres = 64;  // parts; of more, a tree finds the few that rays meet
 };

@@ -191,6 +191,28 @@ class Merge final : public Sum {
   }
 };
 
+// A text is a union of its letters, inverted an intersection, inverted twice a merge: so its flags may count within an
+// intersection, which heeds those of no child of its own (spec 03 5.5).
+bool is_flagged_text(const scene::Object& child) {
+  return child.as<std::shared_ptr<const scene::Text>>() && !child.inverted &&
+         hidden_from(child, child.was_inverted) != 0;
+}
+std::unique_ptr<Shape> as_letters(std::unique_ptr<Shape> text) {
+  const auto described = [](scene::CsgKind kind) {
+    scene::Object object;
+    scene::Csg csg;
+    csg.kind = kind;
+    object.shape = csg;
+    return object;
+  };
+  static const scene::Object kUnion = described(scene::CsgKind::union_), kMerge = described(scene::CsgKind::merge);
+  const bool merge = text->object->was_inverted;
+  Children children;
+  children.push_back(std::move(text));
+  if (merge) return std::make_unique<Merge>(kMerge, std::move(children));
+  return std::make_unique<Union>(kUnion, std::move(children));
+}
+
 // What tests hits turns those of each child around, so that of equally near ones within a child that is CSG itself the
 // first wins, a level deeper the last again (spec 03 5.2): there the children are `turned`. The same holds of the hits
 // of one primitive.
@@ -205,6 +227,8 @@ std::unique_ptr<Shape> compile_part(const scene::Object& object, bool turned) {
     children.push_back(child->as<scene::Csg>() ? compile_part(*child, turns) : compile(*child));
     join_csg(*children.back());
     if (turns) turn_hits(*children.back());
+    if (kind == scene::CsgKind::intersection && is_flagged_text(*child))
+      children.back() = as_letters(std::move(children.back()));
   }
   if (turned) std::reverse(children.begin(), children.end());
   switch (kind) {

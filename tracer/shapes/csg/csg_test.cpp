@@ -1,4 +1,7 @@
 // Probes of spec 03 section 10 for CSG, clips and boxes.
+#include <filesystem>
+
+#include "tracer/shapes/factories.h"
 #include "tracer/shapes/test_support.h"
 
 namespace verisim::shapes::testing {
@@ -17,6 +20,27 @@ TEST(Csg, Distances) {
   expect_march(make_intersection({A, B}), from, x, {4.7318854252, 6});
   expect_march(make_difference({A, B}), from, x, {4, 4.7318854252});
   expect_march(make_union({A, B_moved}, [](Object& o) { scene::invert(o); }), from, x, {4, 6.9681145748});
+}
+
+// A text is a union of letters, twice inverted a merge: its flags count in intersections (spec 03 5.5).
+TEST(Csg, FlagsOfTexts) {
+  const std::string font = "/usr/share/povray-3.7/include/timrom.ttf";
+  if (!std::filesystem::exists(font)) GTEST_SKIP() << "no fonts";
+  scene::Text text;
+  text.font = font, text.text = u"I", text.thickness = 1;
+  const auto hits = [&](bool inverted_twice, RayKind kind) {
+    const ObjectRef letter = make_shared_shape(text);
+    letter->no_image = letter->no_reflection = true;
+    for (int i = 0; i < (inverted_twice ? 2 : 0); ++i) scene::invert(*letter);
+    HitList found;
+    compile(*make_difference({letter}))->intersect_all({{.17, .3, -2}, z}, kind, found);
+    return found.size();
+  };
+  EXPECT_EQ(hits(false, RayKind::camera), 2u);
+  EXPECT_EQ(hits(false, RayKind::reflected), 0u);
+  EXPECT_EQ(hits(false, RayKind::refracted), 0u);
+  EXPECT_EQ(hits(true, RayKind::camera), 0u);
+  EXPECT_EQ(hits(true, RayKind::shadow), 2u);
 }
 
 TEST(Csg, Boxes) {

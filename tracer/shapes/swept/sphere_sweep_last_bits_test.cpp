@@ -215,5 +215,14 @@ TEST(LastBits, InsidesOfSphereSweeps) {
                   {{0.5933713790023007, 0.15339498924046202, -0.3503511015304208}, true}});
 }
 
+// On the wall a root is double: where halving comes upon a number of changes of sign that is neither end's, it is lost.
+TEST(LastBits, WallsOfSphereSweepsThatAreNotInside) {
+  expect_insides(
+      sweep_of(scene::SplineKind::b_spline, {{-2, 0, 0}, {-1, 1, 0}, {1, 0, 0}, {2, -1, 0}}, {0.2, 0.3, 0.4, 0.2}, {}),
+      {{{-0.017736028292528072, 0.42850949872991756, 0.3420600472343426}, false},
+       {{0.06831901509713184, 0.34099337742505065, 0.33803859907288103}, false},
+       {{0.1402912317076952, 0.5103608142650478, 0.33099552484026873}, false}});
+}
+
 }  // namespace
 }  // namespace verisim::shapes::testing

@@ -219,6 +219,15 @@ class Text final : public TreePrimitive<Text> {
     return Rectangle(r.min - Vec2(slack), r.max + Vec2(slack));
   }
 
+  // Whether the scan line from (x, y) towards +x meets a straight piece that spans its height. POV-Ray's operations one
+  // by one, because points of a letter's own walls are asked, too: a slanting piece counts from a little behind the
+  // point on, an upright one does not.
+  static bool line_beyond(const OutlineSegment& p, double x, double y) {
+    if (p.begin.x == p.end.x) return p.end.x > x;
+    const double slope = (p.end.y - p.begin.y) / (p.end.x - p.begin.x);
+    return ((x - p.end.x) * slope - (y - p.end.y)) / slope < kEpsilon;
+  }
+
   // Even-odd rule with a scan line towards +x.
   static bool in_outline(const Glyph& glyph, double x, double y) {
     if (x < glyph.x_min || x > glyph.x_max || y < glyph.y_min || y > glyph.y_max) return false;
@@ -229,7 +238,7 @@ class Text final : public TreePrimitive<Text> {
       const double y0 = p.begin.y, y1 = p.end.y;
       if (p.straight) {
         if ((y0 < y) == (y1 < y)) return;
-        if (p.begin.x + (y - y0) / (y1 - y0) * (p.end.x - p.begin.x) > x) in = !in;
+        if (line_beyond(p, x, y)) in = !in;
         return;
       }
       const double ym = p.middle.y;
@@ -238,12 +247,10 @@ class Text final : public TreePrimitive<Text> {
       double roots[2];
       const int count = unit_roots(a, b, y0 - y, roots);
       for (int k = 0; k < count; ++k) {
-        const double s = roots[k], slope = 2 * a * s + b;
-        // At an end, only the side below the scan line counts, so that neighbouring pieces count once together. Where
-        // that is the height tells: the root may be off.
-        if (std::fabs(y - y0) < kEpsilon && s < 0.5 && slope >= 0) continue;
-        if (std::fabs(y - y1) < kEpsilon && s > 0.5 && slope <= 0) continue;
-        if ((p.begin.x - 2 * p.middle.x + p.end.x) * s * s + 2 * (p.middle.x - p.begin.x) * s + p.begin.x > x) in = !in;
+        const double s = roots[k];
+        if (y == y0 && s < 0.5) continue;  // level with its begin: the end of the piece before counts
+        const double bend = p.begin.x - 2 * p.middle.x + p.end.x;
+        if ((bend * s + 2 * (p.middle.x - p.begin.x)) * s + p.begin.x > x) in = !in;
       }
     });
     return in;

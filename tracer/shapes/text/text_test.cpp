@@ -116,6 +116,31 @@ TEST_F(Text, NearlyStraightCurvesAreOffAsInPovRay) {
   EXPECT_TRUE(front(3.38, 0.2175));
 }
 
+// Points of a letter's own walls, found by trace(), and what inside() tells of them in POV-Ray.
+TEST_F(Text, OwnWallsAreInsideByTheLastBit) {
+  struct Wall {
+    const char* font;
+    char16_t letter;
+    Vec3 point;
+    bool inside;
+  };
+  const Wall walls[] = {
+      {"crystal.ttf", u'A', {0.25573584697538293, 0.33967573002926343, 0.8959437596795929}, false},  // slanting walls
+      {"crystal.ttf", u'A', {0.2626221594884002, 0.6077766663694062, 0.19592458483324637}, true},
+      {"crystal.ttf", u'A', {0.11552408308850415, 0.4767336835021272, 0.9929847946033759}, false},
+      {"crystal.ttf", u'A', {0.32100971586812954, 0.3672766968955976, 0.6452528974951295}, true},
+      {"timrom.ttf", u'S', {0.036356937285822344, 0.011596717013483637, 0.5090968552178974}, true},  // curves
+      {"timrom.ttf", u'S', {0.01648591160701751, -0.016006940770146638, 0.41416218056071097}, true},
+      {"cyrvetic.ttf", u'R', {0.21790553919092304, 0.30598657165070753, 0.9872948168534577}, true},  // level with ends
+      {"cyrvetic.ttf", u'R', {0.5179514789745263, -4.07045117079008e-06, 0.7511621118034184}, true},
+  };
+  for (const Wall& wall : walls) {
+    scene::Text t = text(std::u16string(1, wall.letter), 1);
+    t.font = std::string("/usr/share/povray-3.7/include/") + wall.font;
+    EXPECT_EQ(compile(object(t))->inside(wall.point), wall.inside) << wall.font << " " << wall.point.x;
+  }
+}
+
 TEST_F(Text, NegativeDepthHasNoSurface) { EXPECT_FALSE(trace(object(text(u"A", -0.3)), {.35, .3, -5}, {0, 0, 1})); }
 
 TEST_F(Text, IntersectionsSeparateInsideFromOutside) {

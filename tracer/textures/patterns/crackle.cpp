@@ -87,9 +87,10 @@ double in_form(const CrackleData& data, double s0, double s1, double s2) {
   const scene::CrackleParams& c = data.p;
   const double distances[3] = {s0, s1, s2};
   double sum = 0;
+  const bool finite_roots = std::fabs(c.metric) >= 1;
   for (int k = 0; k < 3; ++k) {
-    if (c.form[k] == 0) continue;
     const double s = distances[k] + data.offset_power;
+    if (c.form[k] == 0 && finite_roots && std::isfinite(s)) continue;  // nothing times an infinite root is no number
     sum += c.form[k] * (c.metric == 2 ? std::sqrt(s) : c.metric == 1 ? s : std::pow(s, 1 / c.metric));
   }
   return clamp01(sum);

@@ -73,5 +73,18 @@ TEST(Crackle, OfAnyMetricIsWhatAPlainSearchFinds) {
   }
 }
 
+// `metric 0` has infinite roots, of which a form of 0 makes no number.
+TEST(Crackle, InfiniteRoots) {
+  CrackleData data{};
+  data.p.metric = 0;
+  const auto value = [&](double f1, double f2, double f3) {
+    data.p.form[0] = f1, data.p.form[1] = f2, data.p.form[2] = f3;
+    return crackle(data, 2, {0.3, 0.2, 0.1});
+  };
+  EXPECT_EQ(value(0.1, 0.2, 0.3), 1);
+  EXPECT_TRUE(std::isnan(value(0.1, 0, 0)));
+  EXPECT_TRUE(std::isnan(value(-1, 1, 0)));
+}
+
 }  // namespace
 }  // namespace verisim::textures

@@ -3,10 +3,11 @@
 //
 // POV-Ray collects the hits of all children and keeps those that pass an inside test against the others. We do the same
 // but look only at children whose boxes the ray meets, test candidates in increasing distance, and stop at the first
-// that survives.
+// that survives; but for isosurfaces with --replay, which remember that they were asked.
 #pragma once
 
 #include "tracer/shapes/csg/child_index.h"
+#include "tracer/shapes/implicit/last_miss.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/scratch.h"
 
@@ -31,7 +32,9 @@ inline Box3 common(const Box3& a, const Box3& b) {
 class CsgShape : public Shape {
  public:
   CsgShape(const scene::Object& description, Children children)
-      : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {}
+      : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {
+    holds_isosurface_ = std::ranges::any_of(children_, [](const auto& c) { return holds_isosurface(*c); });
+  }
 
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && inside_unclipped(p); }
   Vec3 normal(const Hit&) const final { return Vec3(0); }  // hits belong to primitives
@@ -42,6 +45,40 @@ class CsgShape : public Shape {
 
  protected:
   const Shape& child(std::uint32_t i) const { return *children_[i]; }
+
+  // With --replay isosurfaces remember each search (spec 04 6.3): POV-Ray asks all children, whatever the others have
+  // met, and wherever their boxes are.
+  bool asks_all() const { return holds_isosurface_ && last_miss().kept; }
+  static bool holds_isosurface(const Shape& shape) {
+    return shape.object->as<std::shared_ptr<const scene::Isosurface>>() ||
+           std::ranges::any_of(shape.children(), [](const auto& c) { return holds_isosurface(*c); });
+  }
+  // All hits of the children that `asked` lets be asked, which keep(point, child) accepts.
+  template <class Asked, class Keep>
+  void all_of_children(const Ray& ray, RayKind kind, HitList& hits, Asked&& asked, Keep&& keep) const {
+    if (guards_ && !guards_->admit(ray)) return;
+    for (std::uint32_t i = 0; i < children_.size(); ++i) {
+      if (!asked(i)) continue;
+      const std::size_t begin = hits.size();
+      child(i).intersect_all(ray, kind, hits);
+      filter(hits, begin, [&](const Vec3& p) { return keep(p, i); });
+    }
+  }
+  template <class Asked, class Keep>
+  bool nearest_of_all(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit,
+                      Asked&& asked, Keep&& keep) const {
+    if (guards_ && !guards_->admit(ray)) return false;
+    ScratchOwners owners;
+    ScratchHits hits;
+    for (std::uint32_t i = 0; i < children_.size(); ++i) {
+      if (!asked(i)) continue;
+      child(i).intersect_all(ray, kind, hits.list());
+      while (owners.size() < hits.end() - hits.begin()) owners.add(i);
+    }
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) {
+      return keep(p, self) && within_clips(p, clips);
+    });
+  }
 
   // Drops hits from `begin` on that lie outside the clip objects or fail `keep`.
   template <class Keep>
@@ -99,6 +136,7 @@ class CsgShape : public Shape {
   ChildIndex surfaces_;
   Box3 bounds_;
   SolidExtent solid_;
+  bool holds_isosurface_ = false;
 };
 
 // intersection.cpp; the others are in csg.cpp.

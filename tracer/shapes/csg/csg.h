@@ -6,6 +6,8 @@
 // that survives; but for isosurfaces with --replay, which remember that they were asked.
 #pragma once
 
+#include <algorithm>
+
 #include "tracer/shapes/csg/child_index.h"
 #include "tracer/shapes/implicit/last_miss.h"
 #include "tracer/shapes/primitive.h"

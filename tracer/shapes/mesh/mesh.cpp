@@ -24,7 +24,7 @@ class Mesh final : public TreePrimitive<Mesh> {
       const Vec3 v = *mesh.data->inside_vector;
       inside_direction_ = normalize(has_matrix() ? matrix().inverse_direction(v) : v);
     }
-    const Box3 all = mesh_vertex_box(*mesh.data);
+    const Box3& all = tree().bounds();
     for (int k = 0; k < 3; ++k)
       rounding_ = std::max({rounding_, std::fabs(all.min[k]) * 0x1p-22, std::fabs(all.max[k]) * 0x1p-22});
     interior_texture_ = description.interior_texture != nullptr;
@@ -111,17 +111,19 @@ class Mesh final : public TreePrimitive<Mesh> {
     return found;
   }
   // A ray that hardly leaves a plane of coordinates, in which a face of the box of the triangle lies that it meets:
-  // rounding decides whether POV-Ray's search lets it into that box and those around it (spec 08 C). `t`: in mesh
-  // space.
+  // rounding decides whether POV-Ray's search lets it into that box, or, where it leaves the plane at all, into those
+  // around it (spec 08 C). `t`: in mesh space.
   bool refused(const Ray& ray, double t, std::uint32_t triangle) const {
-    constexpr double kLevel = 1e-6;
+    constexpr double kLevel = 1e-12, kHardlyOff = 1e-6;
     const Vec3& d = ray.direction;
-    if (!(std::fabs(d.x) < kLevel || std::fabs(d.y) < kLevel || std::fabs(d.z) < kLevel) || in_order_) return false;
+    const double least = std::min(std::fabs(d.x), std::min(std::fabs(d.y), std::fabs(d.z)));
+    if (!(least < kHardlyOff) || in_order_) return false;
     const scene::Bounds box = geometry_->bounds(triangle);
+    if (least < kLevel && !accel::Hierarchy::enters(ray, box)) return true;
     for (std::size_t k = 0; k < 3; ++k) {
+      if (const double off = std::fabs(d[k]); off < kLevel || off >= kHardlyOff) continue;
       const double from_low = ray.origin[k] + t * d[k] - static_cast<double>(box.low[k]);
-      if (std::fabs(d[k]) < kLevel && std::min(from_low, static_cast<double>(box.size[k]) - from_low) < rounding_)
-        return true;
+      if (std::min(from_low, static_cast<double>(box.size[k]) - from_low) < rounding_) return true;
     }
     return false;
   }

@@ -1,5 +1,6 @@
 #include "parser/scene/shapes/mesh/mesh_data.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace verisim::parser {
@@ -46,24 +47,27 @@ UvTable::Key UvTable::key(const Vec2& uv, double x, double y) {
   return result;
 }
 
+std::optional<std::uint32_t> UvTable::find(Key key, const Vec2& uv) const {
+  const auto [first, last] = known.equal_range(key);
+  for (auto i = first; i != last; ++i) {
+    const Vec2& other = uvs[i->second];
+    if (std::fabs(other.x - uv.x) < kSame && std::fabs(other.y - uv.y) < kSame) return i->second;
+  }
+  return std::nullopt;
+}
+
 std::uint32_t UvTable::index(const Vec2& uv) {
-  constexpr double kSame = 1e-10;
   if (uvs.empty()) uvs.push_back({0, 0});
   if (uv == Vec2(0, 0)) return 0;
-  std::array<Key, 4> keys;
-  for (std::size_t n = 0; n < 4; ++n)
-    keys[n] = key(uv, uv.x + (n & 1 ? kSame : -kSame), uv.y + (n & 2 ? kSame : -kSame));
-  std::sort(keys.begin(), keys.end());
-  for (auto k = keys.begin(), end = std::unique(keys.begin(), keys.end()); k != end; ++k) {
-    const auto [first, last] = known.equal_range(*k);
-    for (auto i = first; i != last; ++i) {
-      const Vec2& other = uvs[i->second];
-      if (std::fabs(other.x - uv.x) < kSame && std::fabs(other.y - uv.y) < kSame) return i->second;
-    }
-  }
+  const Key own = key(uv, uv.x, uv.y);
+  if (const auto number = find(own, uv)) return *number;
+  for (const double x : {uv.x - kSame, uv.x + kSame})
+    for (const double y : {uv.y - kSame, uv.y + kSame})
+      if (const Key beside = key(uv, x, y); beside != own)
+        if (const auto number = find(beside, uv)) return *number;
   const auto number = static_cast<std::uint32_t>(uvs.size());
   uvs.push_back(uv);
-  known.emplace(key(uv, uv.x, uv.y), number);
+  known.emplace(own, number);
   return number;
 }
 

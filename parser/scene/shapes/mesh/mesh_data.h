@@ -50,7 +50,7 @@ class TextureTable {
 };
 
 // UV coordinates of triangles. Like POV-Ray it keeps one of those that are almost equal, the first, where both fall
-// into the same of POV-Ray's cells (spec 04 1.2).
+// into the same of POV-Ray's cells (spec 04 1.1).
 class UvTable {
  public:
   explicit UvTable(std::vector<Vec2>& list) : uvs(list) {}
@@ -58,7 +58,9 @@ class UvTable {
 
  private:
   using Key = std::uint64_t;
+  static constexpr double kSame = 1e-10;  // components nearer than this
   static Key key(const Vec2& uv, double x, double y);
+  std::optional<std::uint32_t> find(Key key, const Vec2& uv) const;
   std::vector<Vec2>& uvs;
   std::unordered_multimap<Key, std::uint32_t> known;
 };

@@ -50,6 +50,9 @@ struct BasicMask {
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(D())), kVectors = N / kLanes;
   hn::Mask<D> v[kVectors];
 
+#if HWY_ARCH_ARM  // the vectors have constructors there that set nothing: neither would BasicMask{}
+  HWY_INLINE BasicMask() { VERISIM_EACH_VECTOR v[i] = hn::MaskFromVec(hn::Zero(D())); }
+#endif
   static HWY_INLINE BasicMask all() {
     BasicMask r;
     VERISIM_EACH_VECTOR r.v[i] = hn::FirstN(D(), kLanes);
@@ -112,7 +115,11 @@ struct BasicPacket {
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(D())), kVectors = N / kLanes;
   hn::Vec<D> v[kVectors];
 
+#if HWY_ARCH_ARM  // as BasicMask's
+  HWY_INLINE BasicPacket() : BasicPacket(T{}) {}
+#else
   BasicPacket() = default;
+#endif
   HWY_INLINE BasicPacket(T all) { VERISIM_EACH_VECTOR v[i] = hn::Set(D(), all); }
   // From and to N numbers in memory, aligned or not.
   static HWY_INLINE BasicPacket load(const T* p) {

@@ -85,7 +85,30 @@ void expect_masks_kept() {
   }
 }
 
+// {} sets everything to zero; NEON's vectors by themselves would keep what was there.
+HWY_NOINLINE void fill_stack() {
+  volatile unsigned char room[4096];
+  for (volatile unsigned char& byte : room) byte = 0x5a;
+}
+struct Both {
+  Mask mask;
+  Packet numbers;
+};
+HWY_NOINLINE void store_empty_braces(bool other, std::int64_t* mask, double* numbers) {
+  Both both{};
+  if (other) both = {Mask::all(), Packet(1.0)};
+  store_mask(mask, both.mask), store(numbers, both.numbers);
+}
+void expect_empty_braces_zero() {
+  alignas(64) std::int64_t mask[kLanes];
+  alignas(64) double numbers[kLanes];
+  fill_stack();
+  store_empty_braces(false, mask, numbers);
+  for (int k = 0; k < kLanes; ++k) EXPECT_TRUE(mask[k] == 0 && numbers[k] == 0) << mask[k] << " " << numbers[k];
+}
+
 void check() {
+  expect_empty_braces_zero();
   expect_plain_results();
   expect_masks_kept();
 }

@@ -4,6 +4,7 @@
 // A capsule is three parts: a cylinder and two half spheres. Along a ray every part has an interval and a quartic;
 // between the ends of intervals the sum is one quartic. All is computed as POV-Ray does it, to the last bit.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -28,6 +29,7 @@ using namespace blob;
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
 constexpr std::size_t kFewEvents = 4, kRankedEvents = 48, kManyEvents = 2048;
 constexpr std::size_t kMaxTextures = 512;
+constexpr int kFewLanes = 3;  // so many rays are faster one by one
 
 using Part = BlobPart;
 using PartKind = BlobPartKind;
@@ -60,7 +62,9 @@ class Blob final : public SearchPrimitive<Blob> {
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     unsigned found = 0;
-    each_search(rays, [&](int k, auto&& search_ray) {
+    double from[RayPacket::kCount];
+    std::fill_n(from, RayPacket::kCount, t_min);
+    each_search(rays, {from, t_max, true}, [&](int k, auto&& search_ray) {
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       search_ray(sink);
       found |= sink.found() ? 1u << k : 0;
@@ -68,7 +72,7 @@ class Blob final : public SearchPrimitive<Blob> {
     return found;
   }
   void hits_of_packet(const RayPacket& rays, const double* from, const double* to, LaneHits& hits) const {
-    each_search(rays, [&](int k, auto&& search_ray) {
+    each_search(rays, {from, to, false}, [&](int k, auto&& search_ray) {
       AllHits sink(*this, guards(), hits.begin_lane(k), from[k], to[k]);
       search_ray(sink);
       hits.end_lane(k);
@@ -165,9 +169,14 @@ class Blob final : public SearchPrimitive<Blob> {
     for (std::size_t i = 0; i < around.size(); ++i) test(parts_[around[i]]);
   }
 
+  struct Limits {
+    const double *from, *to;
+    bool first;  // only the first hit of each ray is of interest
+  };
+
   // Calls visit(k, search) for the rays that may meet the blob: search(sink) reports the hits of lane k.
   template <class Visit>
-  void each_search(const RayPacket& rays, Visit&& visit) const {
+  void each_search(const RayPacket& rays, const Limits& limits, Visit&& visit) const {
     const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return;
     LocalPacket l;
@@ -179,25 +188,70 @@ class Blob final : public SearchPrimitive<Blob> {
                                   ? blob_kernels().pieces_in_tree(parts_.data(), tree_, l, admitted, met, kMax)
                                   : blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
     if (count == 0) return;
+    IntervalLists lists;
+    const unsigned listed = list_intervals(met, count, l, admitted, limits, lists);
     each_lane(admitted, [&](int k) {
       visit(k, [&](auto& sink) {
         if (count > kMax) return intersections(rays.at(k), sink);
-        const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
-        Scratch<Piece> pieces;
-        for (std::size_t i = 0; i < count; ++i) {
-          const PiecePacket& p = met[i];
-          if (p.met >> k & 1)
-            add_piece(*p.part, ray, {std::max(p.t0[k], 0.0), p.t1[k], p.scale2[k], p.peak[k]}, pieces);
-        }
-        search(rays.at(k), ray, pieces, sink, [&] {
-          if (spheres_.empty()) return add_halves_behind(ray, pieces);  // the tree does not look behind
-          const std::size_t before = pieces.size();
-          for (std::size_t i = 0; i < count; ++i)
-            if (met[i].behind >> k & 1)
-              add_half_behind(*met[i].part, {met[i].t0[k], met[i].t1[k], met[i].whole_end[k]}, pieces);
-          return pieces.size() > before;
-        });
+        if (listed >> k & 1 && solve_listed(rays.at(k), l.scale[k], k, lists, limits.first, sink)) return;
+        search_alone(rays.at(k), {met, count}, l, k, sink);
       });
+    });
+  }
+
+  // Lists the intervals of the lanes that may go together; which these are.
+  unsigned list_intervals(const PiecePacket* met, std::size_t count, const LocalPacket& l, unsigned lanes,
+                          const Limits& limits, IntervalLists& lists) const {
+    if (count > IntervalLists::kMaxPieces) return 0;
+    // The tree finds parts in any order, and does not look behind the rays.
+    const bool by_tree = spheres_.empty();
+    if (by_tree && shared_->capsules)
+      each_lane(lanes, [&](int k) {
+        if (contains_point(shared_->box, {l.ox[k], l.oy[k], l.oz[k]})) lanes &= ~(1u << k);
+      });
+    std::array<const PiecePacket*, IntervalLists::kMaxPieces> ordered;
+    for (std::size_t i = 0; i < count; ++i) {
+      const PiecePacket& p = met[i];
+      std::size_t at = i;
+      for (; by_tree && at > 0 && p.part < ordered[at - 1]->part; --at) ordered[at] = ordered[at - 1];
+      ordered[at] = &p;
+      lanes &= ~p.behind;
+      each_lane(p.met & lanes, [&](int k) { lanes &= p.t1[k] < kNearest ? ~(1u << k) : ~0u; });
+    }
+    if (std::popcount(lanes) < kFewLanes) return 0;
+    blob_kernels().intervals(ordered.data(), count, l, lanes,
+                             {threshold_, too_near_of_rays(), limits.from, limits.to, limits.first}, lists);
+    return lanes;
+  }
+
+  // False: there may be more than what is listed.
+  template <class Sink>
+  bool solve_listed(const Ray& ray, double scale, int k, const IntervalLists& lists, bool first, Sink& sink) const {
+    for (const IntervalPacket& p : std::span(lists.intervals, lists.count)) {
+      if (!(p.lanes >> k & 1)) continue;
+      Interval interval{lists.start[k], lists.span[k], scale, p.from[k], p.to[k], {}};
+      for (int i = 0; i < 5; ++i) interval.power[i] = p.power[i][k];
+      if (solve(ray, interval, sink)) {
+        if (Sink::kNearest) return true;
+      } else if (first) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  template <class Sink>
+  void search_alone(const Ray& ray, std::span<const PiecePacket> met, const LocalPacket& l, int k, Sink& sink) const {
+    const LocalRay local{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
+    Scratch<Piece> pieces;
+    for (const PiecePacket& p : met)
+      if (p.met >> k & 1) add_piece(*p.part, local, {std::max(p.t0[k], 0.0), p.t1[k], p.scale2[k], p.peak[k]}, pieces);
+    search(ray, local, pieces, sink, [&] {
+      if (spheres_.empty()) return add_halves_behind(local, pieces);  // the tree does not look behind
+      const std::size_t before = pieces.size();
+      for (const PiecePacket& p : met)
+        if (p.behind >> k & 1) add_half_behind(*p.part, {p.t0[k], p.t1[k], p.whole_end[k]}, pieces);
+      return pieces.size() > before;
     });
   }
 
@@ -261,11 +315,6 @@ class Blob final : public SearchPrimitive<Blob> {
       });
     }
     return pieces.size() > before;
-  }
-
-  // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
-  bool misses(double peak, double rounding) const {
-    return peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_)) - rounding;
   }
 
   // What the running sum over so long a way may be off by: the coefficients of thin parts are huge.
@@ -347,17 +396,17 @@ class Blob final : public SearchPrimitive<Blob> {
     const double span = end - start;
     if (!(span > 0 && std::isfinite(span))) return;
     const double rounding = rounding_of(pieces, span);
-    if (misses(peak, rounding)) return;
+    if (field::stays_below(peak, threshold_, rounding)) return;
     Scratch<Event> events;
     add_events(pieces, start, span, events);
     Intervals intervals(l, &events[0], events.size(), &pieces[0], threshold_);
-    const double too_near = (0.5 * nearest() * l.scale - start) / span;
+    const double too_near = (too_near_of_rays() * l.scale - start) / span;
     while (intervals.next()) {
       if (intervals.depth(intervals.from) > sink.upper()) return;
       if (intervals.depth(intervals.to) < sink.lower()) continue;
-      if (intervals.to < too_near || misses(intervals.peak, rounding)) continue;
-      if (keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
-      if (intervals.from < too_near && keeps_its_sign_by_far(intervals.power, too_near, intervals.to)) continue;
+      if (intervals.to < too_near || field::stays_below(intervals.peak, threshold_, rounding)) continue;
+      if (field::keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
+      if (intervals.from < too_near && field::keeps_its_sign_by_far(intervals.power, too_near, intervals.to)) continue;
       // What lies behind is looked for where it may matter: few rays come to here.
       if (!all_pieces && shared_->capsules && add_behind()) return search(ray, l, pieces, sink, add_behind, true);
       all_pieces = true;
@@ -367,46 +416,19 @@ class Blob final : public SearchPrimitive<Blob> {
 
   // Hits nearer than this are none, but for searches from within.
   static double nearest() { return RaysWithin::now() ? 1e-7 : kNearest; }
-
-  struct Range {
-    double least, most;
-  };
-  // Of the field between two places: the Bezier coefficients enclose it.
-  static Range range_between(const double* power, double from, double to) {
-    const double width = to - from, a = from, a2 = a * a, w2 = width * width;
-    const double c0 = (((power[4] * a + power[3]) * a + power[2]) * a + power[1]) * a + power[0];
-    const double c1 = (((4 * power[4] * a + 3 * power[3]) * a + 2 * power[2]) * a + power[1]) * width;
-    const double c2 = (6 * power[4] * a2 + 3 * power[3] * a + power[2]) * w2;
-    const double c3 = (4 * power[4] * a + power[3]) * w2 * width, c4 = power[4] * w2 * w2;
-    const double b[5] = {c0, c0 + c1 / 4, c0 + c1 / 2 + c2 / 6, c0 + 0.75 * c1 + c2 / 2 + c3 / 4,
-                         c0 + c1 + c2 + c3 + c4};
-    return {std::min(std::min(std::min(b[0], b[1]), std::min(b[2], b[3])), b[4]),
-            std::max(std::max(std::max(b[0], b[1]), std::max(b[2], b[3])), b[4])};
-  }
-  static bool keeps_its_sign(const double* power, double from, double to) {
-    const Range range = range_between(power, from, to);
-    return range.least >= 0 || range.most <= 0;
-  }
-  // So far from zero that no root is there by rounding, either, of the closed form or in its coefficients.
-  static bool keeps_its_sign_by_far(const double* power, double from, double to) {
-    constexpr double kRounding = 1e-6;
-    double size = 0;
-    for (int i = 0; i < 5; ++i) size += std::fabs(power[i]);
-    const Range range = range_between(power, from, to);
-    return range.least > kRounding * size || range.most < -kRounding * size;
-  }
+  static double too_near_of_rays() { return 0.5 * nearest(); }
 
   // True: a hit was accepted.
   template <class Sink>
-  bool solve(const Ray& ray, const Intervals& intervals, Sink& sink) const {
-    const double* p = intervals.power;
+  bool solve(const Ray& ray, const Interval& interval, Sink& sink) const {
+    const double* p = interval.power;
     const double c[5] = {p[4], p[3], p[2], p[1], p[0]};
     double roots[4];
-    const int n = solve_polynomial(4, c, roots, object->sturm, kElimination, intervals.from, intervals.to);
+    const int n = solve_polynomial(4, c, roots, object->sturm, kElimination, interval.from, interval.to);
     std::sort(roots, roots + n);
     bool found = false;
     for (int i = 0; i < n; ++i)
-      if (roots[i] >= intervals.from && roots[i] <= intervals.to && report(ray, intervals, roots[i], sink)) {
+      if (roots[i] >= interval.from && roots[i] <= interval.to && report(ray, interval, roots[i], sink)) {
         found = true;
         if (Sink::kNearest) break;
       }
@@ -414,8 +436,8 @@ class Blob final : public SearchPrimitive<Blob> {
   }
 
   template <class Sink>
-  static bool report(const Ray& ray, const Intervals& intervals, double root, Sink& sink) {
-    const double depth = intervals.depth(root);
+  static bool report(const Ray& ray, const Interval& interval, double root, Sink& sink) {
+    const double depth = interval.depth(root);
     return depth > nearest() && depth < kFarthest &&
            sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
   }

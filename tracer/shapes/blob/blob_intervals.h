@@ -6,11 +6,15 @@
 #include <cstdint>
 
 #include "tracer/shapes/blob/blob_packet.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes::blob {
 
-inline constexpr double kShortest = 1e-10;  // of a interval, beside all of them
+namespace field {
+using namespace one_ray;
+#include "tracer/shapes/blob/blob_field.inc"
+}  // namespace field
 
 // Within reach of a part for t0 < t < t1. Of a half sphere behind the ray t0 < 0, and t1 <= 0.
 struct Piece {
@@ -24,14 +28,7 @@ struct Piece {
   void expand(const Vec3& origin, const Vec3& direction, double span) {
     const Vec3 q = (part->moved ? part->transform->inverse_point(origin) : origin) - part->center;
     const Vec3 d = part->moved ? part->transform->inverse_direction(direction) : direction;
-    const bool flat = part->kind == BlobPartKind::cylinder;
-    const double a = flat ? d.x * d.x + d.y * d.y : part->moved ? dot(d, d) : span * span;
-    const double b = flat ? q.x * d.x + q.y * d.y : dot(q, d), c = flat ? q.x * q.x + q.y * q.y : dot(q, q);
-    power[4] = part->k0 * a * a;
-    power[3] = 4 * part->k0 * b * a;
-    power[2] = 2 * part->k0 * (2 * b * b + a * c) + part->k1 * a;
-    power[1] = 2 * b * (2 * part->k0 * c + part->k1);
-    power[0] = c * (part->k0 * c + part->k1) + part->k2;
+    field::field_powers(*part, q, d, span, power);
   }
 };
 
@@ -47,22 +44,22 @@ struct Event {
   }
 };
 
+// Some of the way of a ray, and the field less the threshold there, in powers of a place between 0 and 1.
+struct Interval {
+  double start, span, scale;  // a place u is at (u span + start) / scale, in the world
+  double from = 0, to = 0;
+  double power[5] = {};  // the constant term first
+
+  double depth(double place) const { return (place * span + start) / scale; }
+};
+
 // The field less the threshold between the ends of pieces, from near to far: POV-Ray's running sum, to which pieces are
 // added where they begin, and from which they are taken where they end. The ray's parameter is rescaled to 0 .. 1.
-class Intervals {
+class Intervals : public Interval {
  public:
   // Pieces get their powers when they are come to.
   Intervals(const LocalRay& ray, const Event* events, std::size_t count, Piece* pieces, double threshold)
-      : events_(events),
-        pieces_(pieces),
-        count_(count),
-        scale_(ray.scale),
-        start(std::max(events[0].t, 0.0)),
-        span(events[count - 1].t - start),
-        origin_(ray.origin + start * ray.direction),
-        direction_(span * ray.direction) {
-    power[0] = -threshold;
-  }
+      : Intervals(ray, events, count, pieces, threshold, std::max(events[0].t, 0.0)) {}
 
   // The next one with any piece.
   bool next() {
@@ -70,7 +67,7 @@ class Intervals {
       update(events_[next_]);
       from = (events_[next_].t - start) / span;
       to = (events_[next_ + 1].t - start) / span;
-      while (to - from < kShortest && next_ + 2 < count_) {
+      while (to - from < kShortestInterval && next_ + 2 < count_) {
         update(events_[++next_]);
         to = (events_[next_ + 1].t - start) / span;
       }
@@ -81,10 +78,19 @@ class Intervals {
     return false;
   }
 
-  // Of a place, in the world.
-  double depth(double place) const { return (place * span + start) / scale_; }
+  double peak = 0;  // no more than this is the field, but for rounding
 
  private:
+  Intervals(const LocalRay& ray, const Event* events, std::size_t count, Piece* pieces, double threshold, double first)
+      : Interval{first, events[count - 1].t - first, ray.scale},
+        events_(events),
+        pieces_(pieces),
+        count_(count),
+        origin_(ray.origin + start * ray.direction),
+        direction_(span * ray.direction) {
+    power[0] = -threshold;
+  }
+
   void update(const Event& event) {
     Piece& piece = pieces_[event.piece];
     if (event.enters) piece.expand(origin_, direction_, span);
@@ -97,15 +103,6 @@ class Intervals {
   const Event* events_;
   Piece* pieces_;
   std::size_t count_, next_ = 0, active_ = 0;
-  double scale_;
-
- public:
-  double start, span;
-  double from = 0, to = 0;
-  double power[5] = {};  // constant term first
-  double peak = 0;       // no more than this is the field, but for rounding
-
- private:
   Vec3 origin_, direction_;
 };
 

@@ -8,6 +8,7 @@
 #include "tracer/bvh/bvh.h"
 #include "tracer/bvh/node_rays-inl.h"
 #include "tracer/math/packet_vector-inl.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/simd/kernel_table.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -18,6 +19,8 @@ namespace HWY_NAMESPACE {
 
 using namespace accel::HWY_NAMESPACE;
 using namespace simd::HWY_NAMESPACE;
+
+#include "tracer/shapes/blob/blob_field.inc"
 
 // Where rays are within reach of a part; `nearest2`: their squared distance from the centre or axis there. `whole_end`:
 // where they leave the sphere or the endless cylinder that the part is cut from.
@@ -209,6 +212,138 @@ bool find_line_piece(const BlobPart& part, const Vec3& origin, const Vec3& direc
   return true;
 }
 
+// The running sums of eight rays, each of which goes from one end of a piece to the next: what class Intervals does for
+// one ray.
+class RunningSums {
+ public:
+  HWY_INLINE RunningSums(const PiecePacket* const* pieces, std::size_t count, const LocalPacket& rays, unsigned lanes,
+                         const IntervalQuery& query)
+      : pieces_(pieces), count_(count), query_(query), scale_(load(rays.scale)) {
+    Packet end = -HUGE_VAL, peak = 0.0;
+    start = HUGE_VAL;
+    for (std::size_t i = 0; i < count; ++i) {
+      const PiecePacket& p = *pieces[i];
+      const Mask met = Mask::of_bits(p.met & lanes);
+      const Packet t0 = max(load(p.t0), Packet(0.0)), t1 = load(p.t1);
+      start = select(met, min(start, t0), start), end = select(met, max(end, t1), end);
+      peak = select(met, peak + load(p.peak), peak);
+      left_ = select(met, left_ + 2.0, left_);
+      next_[i] = select(met, t0, HUGE_VAL);
+      inside_[i] = 0;
+    }
+    span = end - start;
+    alive_ = Mask::of_bits(lanes) & (span > 0.0) & (span < HUGE_VAL);
+    // What the running sum over so long a way may be off by: the coefficients of thin parts are huge.
+    Packet sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Packet size = 1 + load(pieces[i]->scale2) * span * span;
+      sum = select(Mask::of_bits(pieces[i]->met), sum + std::fabs(pieces[i]->part->k2) * size * size, sum);
+    }
+    rounding_ = 1e-12 * sum;
+    alive_ &= ~stays_below(peak, query.threshold, rounding_);
+    origin_ = point_at(origins(rays), start, directions(rays));
+    const RayVectors d = directions(rays);
+    direction_ = {span * d.x, span * d.y, span * d.z};
+    too_near_ = (query.too_near * scale_ - start) / span;
+    power_[0] = -query.threshold;
+    for (int i = 1; i < 5; ++i) power_[i] = 0.0;
+  }
+
+  // Writes the intervals that may have roots.
+  HWY_INLINE void run(IntervalLists& found) {
+    const Packet lower = load(query_.from), upper = load(query_.to);
+    Mask merging = Mask::of_bits(0);
+    Packet from = 0.0, here = nearest();
+    for (alive_ &= left_ > 1.0; bits(alive_) != 0; alive_ &= left_ > 1.0) {
+      pass(here);
+      const Packet next = nearest();
+      from = select(merging, from, (here - start) / span);
+      const Packet to = (next - start) / span;
+      here = next;
+      merging = alive_ & (to - from < kShortestInterval) & (left_ > 1.0);
+      Mask candidates = alive_ & ~merging & (within_ > 0.0);
+      const Mask beyond = candidates & (depth(from) > upper);
+      alive_ &= ~beyond;
+      candidates &=
+          ~(beyond | (depth(to) < lower) | (to < too_near_) | stays_below(peak_, query_.threshold, rounding_));
+      if (bits(candidates) == 0) continue;
+      candidates &= ~keeps_its_sign(power_, from, to);
+      if (const Mask doubtful = candidates & (from < too_near_); bits(doubtful) != 0)
+        candidates &= ~(doubtful & keeps_its_sign_by_far(power_, too_near_, to));
+      const unsigned lanes = bits(candidates);
+      if (lanes == 0) continue;
+      IntervalPacket& interval = found.intervals[found.count++];
+      store(interval.from, from), store(interval.to, to);
+      for (int i = 0; i < 5; ++i) store(interval.power[i], power_[i]);
+      interval.lanes = lanes;
+      if (query_.first) alive_ &= ~candidates;
+    }
+  }
+
+  Packet start, span;
+
+ private:
+  HWY_INLINE Packet depth(const Packet& place) const { return (place * span + start) / scale_; }
+  HWY_INLINE Packet nearest() const {
+    Packet t = HUGE_VAL;
+    for (std::size_t i = 0; i < count_; ++i) t = min(t, next_[i]);
+    return t;
+  }
+
+  // Goes past the ends of pieces at t, of each lane the first one that lies there, in the order of parts.
+  HWY_INLINE void pass(const Packet& t) {
+    Mask waiting = alive_;
+    for (std::size_t i = 0; i < count_ && bits(waiting) != 0; ++i) {
+      const Mask here = waiting & (next_[i] == t);
+      const unsigned lanes = bits(here);
+      if (lanes == 0) continue;
+      waiting &= ~here;
+      const PiecePacket& p = *pieces_[i];
+      const Mask leaves = Mask::of_bits(inside_[i]);
+      if (!expanded_[i]) expand(i);
+      for (int k = 0; k < 5; ++k) {
+        const Packet own = load(powers_[i][k]);
+        power_[k] = select(here, power_[k] + select(leaves, -own, own), power_[k]);
+      }
+      const Packet peak = load(p.peak);
+      peak_ = select(here, peak_ + select(leaves, -peak, peak), peak_);
+      within_ = select(here, within_ + select(leaves, Packet(-1.0), Packet(1.0)), within_);
+      left_ = select(here, left_ - 1.0, left_);
+      next_[i] = select(here, select(leaves, Packet(HUGE_VAL), load(p.t1)), next_[i]);
+      inside_[i] ^= lanes;
+    }
+  }
+  HWY_INLINE void expand(std::size_t i) {
+    const BlobPart& part = *pieces_[i]->part;
+    const RayVectors q = part.moved ? transform_point(part.transform->inv, origin_) : origin_,
+                     d = part.moved ? transform_direction(part.transform->inv, direction_) : direction_;
+    Packet power[5];
+    field_powers(part, RayVectors{q.x - part.center.x, q.y - part.center.y, q.z - part.center.z}, d, span, power);
+    for (int k = 0; k < 5; ++k) store(powers_[i][k], power[k]);
+    expanded_[i] = true;
+  }
+
+  const PiecePacket* const* pieces_;
+  std::size_t count_;
+  const IntervalQuery& query_;
+  Packet scale_, rounding_, too_near_, power_[5], peak_ = 0.0;
+  Packet within_ = 0.0, left_ = 0.0;  // pieces that the ray is in; ends of pieces that it has not passed
+  Mask alive_;
+  RayVectors origin_, direction_;
+  Packet next_[IntervalLists::kMaxPieces];  // where each piece begins or, within it, ends
+  unsigned inside_[IntervalLists::kMaxPieces];
+  bool expanded_[IntervalLists::kMaxPieces] = {};
+  alignas(64) double powers_[IntervalLists::kMaxPieces][5][kLanes];  // of those that are expanded
+};
+
+void find_intervals(const PiecePacket* const* pieces, std::size_t count, const LocalPacket& rays, unsigned lanes,
+                    const IntervalQuery& query, IntervalLists& found) {
+  RunningSums sums(pieces, count, rays, lanes, query);
+  found.count = 0;
+  store(found.start, sums.start), store(found.span, sums.span);
+  sums.run(found);
+}
+
 // How many of numbers[first .. end) stand before those of the packet.
 template <class Before>
 HWY_INLINE Packet count_before(const double* numbers, int first, int end, const Before& before) {
@@ -237,8 +372,8 @@ void ranks(const double* numbers, int count, double* places) {
   }
 }
 
-const BlobKernels kKernels = {near_parts, parts_around,    find_pieces, find_pieces_in_tree,
-                              find_piece, find_line_piece, ranks};
+const BlobKernels kKernels = {near_parts, parts_around,    find_pieces,    find_pieces_in_tree,
+                              find_piece, find_line_piece, find_intervals, ranks};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

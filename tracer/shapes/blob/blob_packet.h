@@ -48,6 +48,29 @@ struct alignas(64) PartSpheres {
   double x[8] = {}, y[8] = {}, z[8] = {}, radius[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
 };
 
+inline constexpr double kShortestInterval = 1e-10;  // of the way of a ray through a blob
+
+// Where the pieces of eight rays may have roots: the field less the threshold, in powers of a place between 0 and 1.
+struct alignas(64) IntervalPacket {
+  using Lane = double[RayPacket::kCount];
+  Lane from, to, power[5];
+  unsigned lanes;  // those that have this interval
+};
+// A place u is at (u span + start) / scale, in the world.
+struct alignas(64) IntervalLists {
+  static constexpr std::size_t kMaxPieces = 24;
+  IntervalPacket::Lane start, span;
+  std::size_t count = 0;
+  IntervalPacket intervals[2 * kMaxPieces];  // from near to far in each lane
+};
+// What is looked for.
+struct IntervalQuery {
+  double threshold;
+  double too_near;          // in the world: what ends before is of no interest, what begins before needs care
+  const double *from, *to;  // of each lane, in the world: what lies beyond may be left out
+  bool first;               // of each lane the first one will do
+};
+
 struct BlobKernels {
   // The parts, as bits, that rays may meet: they start within `apart` of the origin, and their directions are within
   // `bent` of the direction, in proportion to its length.
@@ -64,6 +87,9 @@ struct BlobKernels {
   // Whether one ray comes within reach of a part, and where.
   bool (*piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece);
   bool (*line_piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, LinePiece& piece);
+  // The intervals of some lanes that lie in front of their rays, of kMaxPieces pieces at most, in the order of parts.
+  void (*intervals)(const PiecePacket* const* pieces, std::size_t count, const LocalPacket& rays, unsigned lanes,
+                    const IntervalQuery& query, IntervalLists& found);
   // The place of each of some numbers, which are none of them NaN, among all in order; equal ones keep theirs. Numbers
   // are read and places written eight at a time.
   void (*ranks)(const double* numbers, int count, double* places);

@@ -1,10 +1,18 @@
 // Shading a hit: choice of textures, layers, own light, then what is seen through and in the surface (spec 06 section
 // 3).
+#include <cmath>
+#include <limits>
+
 #include "tracer/shading/finish.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
 namespace {
+
+// What POV-Ray shows where a normal is none, with and without light (spec 06 3.3).
+constexpr Rgb kNoNumber(std::numeric_limits<float>::quiet_NaN());
+
+bool is_nan(const Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); }
 
 // Cuts a stack back to the size it had.
 template <class T>
@@ -183,7 +191,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     add_direct_light(ray, at, context, own);
     if (scene_.effects && scene_.effects->photons)
       indirect("photons", scene_.effects->photon_light(*this, ray, at, context));
-    color += filter * own;
+    color += filter * (layer.normal && is_nan(normal) ? kNoNumber : own);
 
     if (colored) {
       filter *= c.transmission();

@@ -63,7 +63,7 @@ class PathTracer {
   // Gathers the layers; returns what they emit, and in `through` what they let pass.
   Rgb layers_of(const shading::RayState& ray, shading::SurfaceHit& at, double choice, Layers& layers, Rgb& through);
   void gather_layers(const shading::RayState& ray, shading::SurfaceHit& at, const textures::CompiledTexture& texture,
-                     const Vec3& p, const shading::TextureFrame* frame, double choice, Layers& layers, Rgb& emitted,
+                     const Vec3& p, shading::TextureFrames* frames, double choice, Layers& layers, Rgb& emitted,
                      Rgb& through);
   Rgb direct_light(const Walk& walk, shading::SurfaceHit& at, const Layers& layers, Sequence& sequence);
   Rgb light_source(const Walk& walk, shading::SurfaceHit& at, const Layers& layers, const shading::Light& light,

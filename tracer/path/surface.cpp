@@ -47,11 +47,10 @@ Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at,
 }
 
 void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit& at,
-                               const textures::CompiledTexture& texture, const Vec3& p,
-                               const shading::TextureFrame* frame, double choice, Layers& layers, Rgb& emitted,
-                               Rgb& through) {
+                               const textures::CompiledTexture& texture, const Vec3& p, shading::TextureFrames* frames,
+                               double choice, Layers& layers, Rgb& emitted, Rgb& through) {
   if (texture.patterned()) {
-    const shading::TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frame);
+    const shading::TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frames);
     double total = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) total += parts[i].weight;
     double left = choice * total;
@@ -63,7 +62,7 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
       left -= one.weight;
     }
     if (!one.texture) return;
-    gather_layers(ray, at, *one.texture, parts.point, &parts.frame, std::clamp(left / one.weight, 0.0, 1.0), layers,
+    gather_layers(ray, at, *one.texture, parts.point, &parts.frames, std::clamp(left / one.weight, 0.0, 1.0), layers,
                   emitted, through);
     return;
   }
@@ -73,7 +72,7 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
   for (const textures::CompiledLayer& layer : texture.layers) {
     if (through == Rgb()) break;
     const scene::Finish& finish = layer.finish;
-    Layer l{&layer, Color(), tracer_.layer_normal(at, layer, p, frame), through, 1, Rgb()};
+    Layer l{&layer, Color(), tracer_.layer_normal(at, layer, p, frames), through, 1, Rgb()};
     const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, l.pigment);
     l.opacity = static_cast<float>(shading::surface_opacity(l.pigment, data.version));
     if (finish.reflection.maximum != Rgb() || finish.reflection.minimum != Rgb()) {

@@ -38,20 +38,20 @@ class FirstSurface {
   }
 
  private:
-  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, const shading::TextureFrame* frame,
+  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, shading::TextureFrames* frames,
            float weight, Look& out) {
     if (texture.patterned()) {
-      const shading::TextureParts parts(selection_, texture, p, at.texture_point, frame);
+      const shading::TextureParts parts(selection_, texture, p, at.texture_point, frames);
       for (std::size_t i = 0; i < parts.size(); ++i)
         if (const WeightedTexture entry = parts[i]; entry.weight != 0)
-          add(at, *entry.texture, parts.point, &parts.frame, weight * entry.weight, out);
+          add(at, *entry.texture, parts.point, &parts.frames, weight * entry.weight, out);
       return;
     }
     Rgb filter(1);
     bool top = true;
     for (const textures::CompiledLayer& layer : texture.layers) {
       const Vec3 normal =
-          layer.normal ? shading::perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frame)
+          layer.normal ? shading::perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frames)
                        : at.geometric_normal;
       if (top) out.normal += normal * static_cast<double>(weight);
       top = false;

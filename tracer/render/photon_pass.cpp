@@ -29,10 +29,10 @@ struct Gun {
   std::optional<Vec3> place{};
   std::vector<const scene::Interior*> interiors{};
 
-  std::span<const scene::Interior* const> around(const shading::SceneData& data, const Vec3& p) {
+  std::span<const scene::Interior* const> around(const shading::SceneData& data, const Vec3& p,
+                                                 std::span<const std::uint32_t> holders) {
     if (place != p) {
-      interiors.clear();
-      data.world.interiors_at(p, interiors);
+      data.world.interiors_of_photon(p, holders, interiors);
       place = p;
     }
     return interiors;
@@ -73,6 +73,9 @@ class Shooter {
  private:
   bool trace_ring(std::span<const global::PhotonStart> ring, const PhotonShot& shot, const shading::Light& light) {
     results_.resize(std::max(results_.size(), ring.size()));
+    Box3 box;
+    for (const global::PhotonStart& start : ring) box.extendBy(start.ray.origin);
+    holders_ = data_.world.photon_holders(light.projector() ? shapes::everywhere() : box);
     std::atomic<bool> hit{false};
     const auto trace = [&](std::size_t part) {
       const EvaluationWatch watch(options_.cancel);
@@ -123,7 +126,8 @@ class Shooter {
       if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + index[k]), 0.5, 0);
       const Ray ray = rays.at(k);
       if (options_.replay) found[k] = data_.world.intersect(ray, kind, nearest, accel::kFarthestHit, hits[k]);
-      const auto around = found[k] ? gun.around(data_, ray.origin) : std::span<const scene::Interior* const>();
+      const auto around =
+          found[k] ? gun.around(data_, ray.origin, holders_) : std::span<const scene::Interior* const>();
       hit_target |= shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr)
                         .run(ray, found[k] ? &hits[k] : nullptr, around, colors[k], results_[index[k]]);
     }
@@ -168,6 +172,7 @@ class Shooter {
   std::vector<std::vector<StoredPhoton>>
       results_;  // per photon of a ring, so that the map's order does not depend on threads
   std::size_t shot_count_ = 0;
+  std::vector<std::uint32_t> holders_;  // of a ring: what its photons may start in
 };
 
 }  // namespace

@@ -87,20 +87,20 @@ void PhotonWalk::meet(Packet packet, const shapes::Hit& hit) {
 }
 
 void PhotonWalk::meet_texture(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture,
-                              const Vec3& p, const TextureFrame* frame, float share, const Encounter& what) {
+                              const Vec3& p, TextureFrames* frames, float share, const Encounter& what) {
   if (!texture.patterned()) {
     if (what.stores) store(packet, at.hit.point, share);
-    if (what.scatters()) scatter(packet, at, texture, p, frame, share, what);
+    if (what.scatters()) scatter(packet, at, texture, p, frames, share, what);
     return;
   }
-  const TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frame);
+  const TextureParts parts(tracer_.selection_, texture, p, at.texture_point, frames);
   float total = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) total += parts[i].weight;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const textures::WeightedTexture entry = parts[i];
     if (entry.weight == 0 && !texture.average) continue;  // of an average, black photons are stored, too
     const float part = texture.average && total != 0 ? entry.weight / total : entry.weight;
-    meet_texture(packet, at, *entry.texture, parts.point, &parts.frame, share * part, what);
+    meet_texture(packet, at, *entry.texture, parts.point, &parts.frames, share * part, what);
   }
 }
 
@@ -110,7 +110,7 @@ void PhotonWalk::store(const Packet& packet, const Vec3& point, float share) {
 }
 
 void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                         const TextureFrame* frame, float share, const Encounter& what) {
+                         TextureFrames* frames, float share, const Encounter& what) {
   const Vec3& d = packet.ray.ray.direction;
   std::vector<Layer> layers;
   Rgb filter(1);
@@ -119,7 +119,7 @@ void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::C
     if (!(translucency > shot_.adc_bailout)) break;
     const scene::Finish& finish = layer.finish;
     const scene::Reflection& mirror = finish.reflection;
-    const Vec3 normal = tracer_.layer_normal(at, layer, p, frame);
+    const Vec3 normal = tracer_.layer_normal(at, layer, p, frames);
     Color c;
     const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
     Layer here{normal, {}, mirror.exponent, 0};

@@ -78,11 +78,11 @@ class PhotonWalk {
   void meet(Packet packet, const shapes::Hit& hit);
   // Each of the textures that are blended there stores a photon of its share, and scatters one.
   void meet_texture(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                    const TextureFrame* frame, float share, const Encounter& what);
+                    TextureFrames* frames, float share, const Encounter& what);
   void store(const Packet& packet, const Vec3& point, float share);
   // By the layers of a texture that is no pattern of others.
   void scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-               const TextureFrame* frame, float share, const Encounter& what);
+               TextureFrames* frames, float share, const Encounter& what);
   // These two return whether all or some of it was reflected totally.
   bool refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through);
   bool bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through,

@@ -1,10 +1,18 @@
 // Shading a hit: choice of textures, layers, own light, then what is seen through and in the surface (spec 06 section
 // 3).
+#include <cmath>
+#include <limits>
+
 #include "tracer/shading/finish.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
 namespace {
+
+// What POV-Ray shows where a normal is none, with and without light (spec 06 3.3).
+constexpr Rgb kNoNumber(std::numeric_limits<float>::quiet_NaN());
+
+bool is_nan(const Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); }
 
 // Cuts a stack back to the size it had.
 template <class T>
@@ -101,25 +109,24 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
 }
 
 Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture,
-                            const Vec3& p, const TextureFrame* frame) {
+                            const Vec3& p, TextureFrames* frames) {
   if (!texture.patterned())
-    return scene_.quality <= 1 ? shade_unlit(at, texture, p) : shade_layers(ray, at, texture, p, frame);
-  const TextureParts parts(selection_, texture, p, at.texture_point, frame);
+    return scene_.quality <= 1 ? shade_unlit(at, texture, p) : shade_layers(ray, at, texture, p, frames);
+  const TextureParts parts(selection_, texture, p, at.texture_point, frames);
   Color sum;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const textures::WeightedTexture entry = parts[i];
-    // POV-Ray shades what does not count in an average: it draws numbers.
-    if (entry.weight == 0 && !(texture.average && random_.replay())) continue;
+    // POV-Ray shades what does not count in an average: it draws numbers, leaves frames and may be no number.
+    if (entry.weight == 0 && !texture.average) continue;
     const ToldTexture told(observer_, entry.weight);
-    sum += scaled(shade_texture(ray, at, *entry.texture, parts.point, &parts.frame), entry.weight);
+    sum += scaled(shade_texture(ray, at, *entry.texture, parts.point, &parts.frames), entry.weight);
   }
   return sum;
 }
 
-Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p,
-                          const TextureFrame* frame) {
+Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, TextureFrames* frames) {
   if (!layer.normal || scene_.quality < 8) return at.geometric_normal;
-  return perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frame);
+  return perturb_in_frames(*layer.normal, p, at.geometric_normal, at.texture_point, frames);
 }
 
 // Quality 0 and 1: the colour of the lowest layer reached.
@@ -139,7 +146,7 @@ Color Tracer::shade_unlit(SurfaceHit& at, const textures::CompiledTexture& textu
 
 // The compositing equation of spec 06 3.3.
 Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                           const TextureFrame* frame) {
+                           TextureFrames* frames) {
   const StackScope<ShadedLayer> layers(layers_);
   const Vec3& d = ray.ray.direction;
   const double adc = bailout(ray);
@@ -152,7 +159,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
   for (const textures::CompiledLayer& layer : texture.layers) {
     if (!(translucency > adc)) break;
     const scene::Finish& finish = layer.finish;
-    const Vec3 normal = layer_normal(at, layer, p, frame);
+    const Vec3 normal = layer_normal(at, layer, p, frames);
     Color c;
     const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
 
@@ -183,7 +190,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     add_direct_light(ray, at, context, own);
     if (scene_.effects && scene_.effects->photons)
       indirect("photons", scene_.effects->photon_light(*this, ray, at, context));
-    color += filter * own;
+    color += filter * (layer.normal && is_nan(normal) ? kNoNumber : own);
 
     if (colored) {
       filter *= c.transmission();

@@ -226,10 +226,10 @@ class Tracer {
   Color shade(const RayState& ray, const shapes::Hit& hit);
   Color shade_surface(const RayState& ray, const shapes::Hit& hit);  // without the media on the way to it
   Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                      const TextureFrame* frame);
+                      TextureFrames* frames);
   Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                     const TextureFrame* frame);
-  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const TextureFrame* frame);
+                     TextureFrames* frames);
+  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, TextureFrames* frames);
   Color shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p);
 
   // ---- direct_light.cpp
@@ -315,7 +315,7 @@ class Tracer {
   // What of the light from `towards` passes a surface's textures.
   Rgb filter_at(const shapes::Hit& hit, const Vec3& towards);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
-                     const TextureFrame* frame);
+                     TextureFrames* frames);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool to_surface, Rgb& color);
 
   // ---- area_light.cpp

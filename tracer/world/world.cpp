@@ -86,10 +86,14 @@ bool within_finite_box(const Shape& shape) {
 // A shadow ray may meet something there that is not opaque.
 bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
 
-// POV-Ray flags layers, not maps of textures.
+// POV-Ray flags layers, and material maps of what is flagged, but no other maps of textures.
+bool flagged_opaque(const textures::CompiledTexture& texture) {
+  if (!texture.patterned()) return texture.opaque;
+  return texture.material_map &&
+         std::ranges::all_of(texture.map, [](const auto& entry) { return flagged_opaque(*entry.value); });
+}
 bool flagged_opaque(const scene::TexturePtr& texture, textures::Compiler& compiler) {
-  const textures::CompiledTexture& compiled = *compiler.texture(texture);
-  return compiled.opaque && !compiled.patterned();
+  return flagged_opaque(*compiler.texture(texture));
 }
 // The textures of the object itself, which its children may have replaced.
 bool flagged_opaque(const scene::Object& object, textures::Compiler& compiler) {
@@ -135,9 +139,7 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     rest.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
     s.opaque = s.opaque && rest.extra_textures.back() && rest.extra_textures.back()->opaque;
   }
-  const auto flag = [](const textures::CompiledTexture* texture) {
-    return texture && texture->opaque && !texture->patterned();
-  };
+  const auto flag = [](const textures::CompiledTexture* texture) { return texture && flagged_opaque(*texture); };
   // A mesh is opaque if it is so from outside.
   const bool from_outside = !s.interior_texture || o.as<scene::Mesh>();
   const bool flagged =

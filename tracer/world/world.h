@@ -136,6 +136,11 @@ class World {
   std::vector<std::uint32_t> holders(const Box3& box) const;
   void interiors_at(const Vec3& p, std::span<const std::uint32_t> holders,
                     std::vector<const scene::Interior*>& interiors) const;
+  // The same for the start of a photon: in the order of declaration, and whatever bounds, clips and boxes the objects
+  // have (spec 07 3.5).
+  std::vector<std::uint32_t> photon_holders(const Box3& box) const;
+  void interiors_of_photon(const Vec3& p, std::span<const std::uint32_t> holders,
+                           std::vector<const scene::Interior*>& interiors) const;
   // Textures and weights of a hit whose primitive has several (blob components, mesh vertices, cutaway_textures);
   // empty: surface->texture alone. `out` is cleared first.
   void weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const;

@@ -61,4 +61,25 @@ std::vector<std::uint32_t> World::holders(const Box3& box) const {
   return result;
 }
 
+std::vector<std::uint32_t> World::photon_holders(const Box3& box) const {
+  std::vector<std::uint32_t> result;
+  if (!impl_->interiors) return result;
+  for (std::uint32_t i = 0; i < impl_->entries.size(); ++i) {
+    const Entry& e = impl_->entries[i];
+    if (!e.object->interior) continue;
+    const shapes::SolidExtent solid = e.shape->solid_extent();  // what clips leave of it
+    if (solid.outside || !e.object->clipped_by.empty() || solid.box.intersects(box)) result.push_back(i);
+  }
+  return result;
+}
+
+void World::interiors_of_photon(const Vec3& p, std::span<const std::uint32_t> holders,
+                                std::vector<const scene::Interior*>& interiors) const {
+  interiors.clear();
+  for (const std::uint32_t i : holders) {
+    const Entry& e = impl_->entries[i];
+    if (e.shape->inside_unclipped(p)) interiors.push_back(e.object->interior.get());
+  }
+}
+
 }  // namespace verisim::accel

@@ -253,14 +253,14 @@ Rgb Tracer::filter_at(const shapes::Hit& hit, const Vec3& towards) {
 }
 
 Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
-                           const TextureFrame* frame) {
+                           TextureFrames* frames) {
   if (texture.solid) return {};
   if (texture.patterned()) {
-    const TextureParts parts(selection_, texture, p, at.texture_point, frame);
+    const TextureParts parts(selection_, texture, p, at.texture_point, frames);
     Rgb sum;
     for (std::size_t i = 0; i < parts.size(); ++i)
-      if (const textures::WeightedTexture entry = parts[i]; entry.weight != 0)
-        sum += scaled(texture_filter(at, *entry.texture, parts.point, towards, &parts.frame), entry.weight);
+      if (const textures::WeightedTexture entry = parts[i]; entry.weight != 0 || texture.average)
+        sum += scaled(texture_filter(at, *entry.texture, parts.point, towards, &parts.frames), entry.weight);
     return sum;
   }
   const float caustics = at.surface.interior->caustics;
@@ -269,7 +269,7 @@ Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& text
     Color c;
     // Fake caustics: once per layer, so a surface may brighten the light.
     Vec3 normal = at.geometric_normal;
-    if (caustics != 0) normal = layer_normal(at, layer, p, frame);
+    if (caustics != 0) normal = layer_normal(at, layer, p, frames);
     if (textures::evaluate(*layer.pigment, p, &at.texture_point, c)) filter *= c.transmission();
     if (caustics != 0)
       filter *= static_cast<float>(1 + std::pow(std::fabs(dot(normal, towards)), static_cast<double>(caustics)));

@@ -183,9 +183,9 @@ void Wavefront::add_leaves(int i, const textures::CompiledTexture& texture, cons
     Vec3 warped;
     for (const textures::WeightedTexture& entry :
          textures::select(texture, p, &met.at->texture_point, storage, warped)) {
-      if (entry.weight == 0) continue;
+      if (entry.weight == 0 && !texture.average) continue;
       const Materials& inner = materials(*entry.texture);
-      if (inner.empty())
+      if (inner.empty() || entry.weight == 0)
         met.together = false;
       else
         add_leaf(i, inner, &texture, warped, entry.weight);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "tracer/textures/patterns/formulas.h"
 
@@ -379,12 +380,18 @@ const Tiling* periodic_tiling(int number) {
     all[2].exchanged = true;
     for (const int n : {12, 13, 14}) all[n - 1].seams = n;
     for (const int n : {19, 20}) all[n - 1].border = kLean, all[n - 1].level_line = n;
+    for (const int n : {6, 18}) all[n - 1].fold = 4;
+    all[10].fold = 3, all[14].fold = 5;
+    for (const int n : {5, 8}) all[n - 1].sided = true;
+    for (int n = 1; n <= 24; ++n) all[n - 1].number = n;
     return all;
   }();
   return number >= 1 && number <= 24 ? &tilings[number - 1] : nullptr;
 }
 
 namespace {
+
+constexpr double kHardlyBeside = 1e-15;
 
 // From 0 at its border to 1 where it is flat; negative outside. Given up where it is at most `least`.
 double distance_within(const Tile& tile, double x, double z, double least) {
@@ -429,12 +436,15 @@ Vec2 lean_on_level_line(const Tiling& t, double x) {
   return {0, place > 4 ? -kLean : kLean};
 }
 
-// Below 1 also for what is hardly below 0.
-double cell_fraction(double v) { return std::min(v - std::floor(v), 1 - 0x1p-53); }
+// From 0 to 1, which is what hardly lies below 0.
+double fraction_of(double v) { return v - std::floor(v); }
+
+// Below 1 also for that.
+double cell_fraction(double fraction) { return std::min(fraction, 1 - 0x1p-53); }
 
 // Whether a point is on a line between cells, along one axis: `fraction` of the cell, or folded, where it is mirrored.
 bool on_seam(const Tiling& t, double fraction, double folded) {
-  return t.mirrored ? folded == 3 : fraction == 0 || fraction == 1 - 0x1p-53;
+  return t.mirrored ? folded == 3 : fraction <= 0x1p-55 || fraction == 1;
 }
 
 // There POV-Ray has, instead of a tile's value, what its tests of tiles leave (measured, spec 05 9.1): above 1, too.
@@ -456,20 +466,68 @@ double beside_border(double v) {
   return beside != 0 && std::fabs(beside) < kFar ? line + std::copysign(kFar, beside) : v;
 }
 
+// In units of 1 / classes, what POV-Ray leaves in tilings of squares and oblongs where folding takes what lies hardly
+// below 0 to the whole period (measured, spec 05 9.1); `z`: where x alone lies there.
+std::optional<double> value_past_fold(const Tiling& t, double x, double z) {
+  const auto past = [&](double v) { return v < 0 && v + t.fold == t.fold; };
+  const bool along_z = past(z);
+  if (!along_z && !past(x)) return std::nullopt;
+  const double place = z - std::floor(z / t.fold) * t.fold;
+  const auto within = [&](double from, double to) { return !along_z && place >= from && place < to; };
+  switch (t.number) {
+    case 6:
+      return (within(1, 2) ? 7 : within(2, 3) ? 5 : 8) / 2.0;
+    case 11:
+      return (within(1, 2) ? 4 : 7) / 3.0;
+    case 15:
+      return (within(0, 2) ? 8 : 10) / 2.0;
+    default:
+      return (within(1, 3) ? 5 : 8) / 2.0;
+  }
+}
+
+// Hardly below z = 0 tilings 19 and 20 have neither what is there nor what is below, but in the hexagon; hardly above
+// it they have what is there (measured, spec 05 9.1).
+std::optional<double> value_beside_level_line(const Tiling& t, double x, double z) {
+  const bool is19 = t.level_line == 19;
+  if (z > 0 && z <= (is19 ? 0x1p-54 : 0x1p-53)) return evaluate_tiling(t, x, 0);
+  if (!(z < 0 && z >= -0x1p-52)) return std::nullopt;
+  const double place = x - std::floor(x / 7) * 7, hexagon = is19 ? 5 : 2;
+  if (place > hexagon && place < hexagon + 2) return std::nullopt;
+  const bool lower = place == std::floor(place) ? false
+                                                : (is19 ? place < 0.5 || (place > 2.5 && place < 5)
+                                                        : (place > 1.5 && place < 2) || (place > 4 && place < 6.5));
+  return (lower ? 1 : 2) / 3.0;
+}
+
+// The value at a point that lies hardly beside x = 0 or z = 0, where tilings have other ones there.
+std::optional<double> value_beside_zero(const Tiling& t, double x, double z) {
+  constexpr double kFar = 1e-12;
+  if (t.fold > 0) return value_past_fold(t, x, z);
+  if (t.exchanged && x == std::floor(x) && std::fabs(z) < kHardlyBeside)
+    return evaluate_tiling(t, x, std::copysign(kFar, z));
+  if (t.sided && z < 0 && z > -kHardlyBeside) return evaluate_tiling(t, x, -kFar);
+  if (t.level_line != 0) return value_beside_level_line(t, x, z);
+  return std::nullopt;
+}
+
 }  // namespace
 
 double evaluate_tiling(const Tiling& t, double x, double z) {
-  const bool exchanged = t.exchanged && x == std::floor(x);
+  if (std::fabs(x) < kHardlyBeside || std::fabs(z) < kHardlyBeside)
+    if (const std::optional<double> value = value_beside_zero(t, x, z)) return *value;
+  const bool exchanged = t.exchanged && (x == std::floor(x) || fraction_of(x) == 1);
   if (t.mirrored) {
     x = std::fabs(x - std::floor(x / 6) * 6 - 3);
     z = std::fabs(z - std::floor(z / 6) * 6 - 3);
   }
   double u = x * t.inverse[0][0] + z * t.inverse[0][1], v = x * t.inverse[1][0] + z * t.inverse[1][1];
-  u = cell_fraction(u), v = cell_fraction(v);
+  u = fraction_of(u), v = fraction_of(v);
   if (t.seams != 0) {
     const bool across_z = on_seam(t, v, z);
     if (across_z || on_seam(t, u, x)) return value_on_seam(t, !across_z, v, z);
   }
+  u = cell_fraction(u), v = cell_fraction(v);
   const double px = u * t.lattice[0][0] + v * t.lattice[1][0], pz = u * t.lattice[0][1] + v * t.lattice[1][1];
   auto [holder, distance] = tile_at(t, px, pz);
   if (!holder) return 0;  // not a number

@@ -34,6 +34,9 @@ struct Tiling {
   bool exchanged = false;  // tiling 3: its two classes are, where x is a whole number
   int level_line = 0;      // tilings 19 and 20: the number; on z = 0 they lean either way
   int seams = 0;           // tilings 12 to 14: the number; lines between their cells belong to no tile
+  double fold = 0;         // tilings 6, 11, 15 and 18: period to which what lies hardly below 0 is folded
+  bool sided = false;      // what lies hardly below z = 0 is in the tile below
+  int number = 0;
 };
 
 // Built on first use; 1 <= number <= 24. Null for the Penrose tilings 25 .. 27.

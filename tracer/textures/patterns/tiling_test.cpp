@@ -63,7 +63,50 @@ TEST(Tiling, BordersBelongToTheTileThatPovRayTakes) {
       {3, -2, -2, 0.767949}, {3, 1, 0.75, 0.299038}, {3, 1, -0.5, 0.566987}};
   for (const Probe& p : probes)
     EXPECT_NEAR(tiling(p.number, p.x, p.z), p.value, 1e-6) << p.number << " at " << p.x << ", " << p.z;
-  EXPECT_NEAR(tiling(18, -1e-16, 0.5), tiling(18, -1e-9, 0.5), 1e-6);
+  EXPECT_NEAR(tiling(18, -2.3e-16, 0.5), tiling(18, -1e-9, 0.5), 1e-6);
+}
+
+// POV-Ray's values (those above 1 from what maps make of them) just below 0, where folding by the period rounds up.
+TEST(Tiling, WhatLiesHardlyBelowZeroIsFoldedToThePeriod) {
+  struct Probe {
+    int number;
+    double x, z, value;
+  };
+  const double e = -1e-17;
+  const Probe probes[] = {{6, 1.3, -2.2e-16, 4},
+                          {6, e, 0.3, 4},
+                          {6, e, 1, 3.5},
+                          {6, e, -1.97, 2.5},
+                          {6, e, e, 4},
+                          {18, 1.3, e, 4},
+                          {18, -2.2e-16, 1.5, 2.5},
+                          {18, e, 3, 4},
+                          {11, 0.2, e, 7 / 3.0},
+                          {11, e, 1.2, 4 / 3.0},
+                          {11, e, 2, 7 / 3.0},
+                          {15, 0.3, -4.4e-16, 5},
+                          {15, e, 0.3, 4},
+                          {15, e, -1, 5},
+                          {15, e, 2, 5},
+                          {3, e, -3.97, 0.56188},
+                          {3, -1e-16, -3.97, 0.06188},
+                          {8, 0.3, e, 2 / 3.0},
+                          {5, 0.28, e, 1},
+                          {5, -3.345, e, 1 / 3.0},
+                          {13, -2.2e-16, 1.28, 1},
+                          {13, 7e-17, 0.3, 0},
+                          {13, 8.1e-17, 0.3, 1},
+                          {3, 1, 0, 0.5},
+                          {3, 1, e, 1},
+                          {14, 0.3, -2.2e-16, 0.8},
+                          {19, 0.25, e, 1 / 3.0},
+                          {19, 1.5, e, 2 / 3.0},
+                          {19, 3.5, -2.2e-16, 1 / 3.0},
+                          {19, 0.75, 5e-17, 1 / 3.0},
+                          {20, 0.5, e, 2 / 3.0},
+                          {20, 5.5, e, 1 / 3.0}};
+  for (const Probe& p : probes)
+    EXPECT_NEAR(tiling(p.number, p.x, p.z), p.value, 1e-5) << p.number << " at " << p.x << ", " << p.z;
 }
 
 // POV-Ray's values on z = 0 at every quarter of a period, in twelfths.

@@ -12,9 +12,9 @@ struct PerspectiveView {
   Vec3 direction, right, up;
 
   // A fractional pixel position, pixels' centres at integers, as parts of the picture: from the left and from below.
-  // In this form: the last bits decide where a pattern's seam lies in a surface (measured: the sign of y on a plane
-  // y = 0 agrees in every pixel).
-  Vec2 place(double x, double y) const { return {(x + left + 0.5) / width, (height - (y + top + 0.5)) / height}; }
+  // In this form: the last bits decide where a pattern's seam lies in a surface, and where a march through a fractal
+  // begins (spec 02 1.5).
+  Vec2 place(double x, double y) const { return {(x + left + 0.5) / width, (height - 1 - (y + top) + 0.5) / height}; }
   // What is seen there through the middle of the picture's plane; not of unit length.
   Vec3 through(const Vec2& place) const { return direction + (place.x - 0.5) * right + (place.y - 0.5) * up; }
 };

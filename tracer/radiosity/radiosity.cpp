@@ -220,7 +220,7 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gathe
   if (!workspace) workspace = std::make_unique<Gathering>();
 
   Rgb sum;
-  float nearest = 2e10f;
+  double nearest = 2e10;
   Vec3 nearest_direction(0, 0, 0);
   double quality_sum = 0, inverse_sum = 0;
   for (int done = 0; done < n;) {
@@ -243,7 +243,7 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gathe
         quality_sum += q;
       }
       inverse_sum += 1.0 / g.distance;  // a miss is infinitely far
-      if (g.distance < nearest) nearest = static_cast<float>(g.distance), nearest_direction = ray.direction;
+      if (g.distance < nearest) nearest = g.distance, nearest_direction = ray.direction;
     }
   }
   const Rgb irradiance = quality_sum > 0.0 ? scaled(sum, 1.0 / quality_sum) : sum;
@@ -260,7 +260,7 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gathe
     sample.nearest_direction = nearest_direction;
     sample.irradiance = irradiance;
     sample.mean_distance = static_cast<float>(mean);
-    sample.nearest_distance = nearest;
+    sample.nearest_distance = static_cast<float>(nearest);
     sample.quality = quality;
     sample.depth = static_cast<std::int16_t>(query.depth);
     sample.pass = static_cast<std::int16_t>(pass_);

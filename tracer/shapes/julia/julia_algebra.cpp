@@ -25,8 +25,7 @@ Complex exp(const Complex& z) {
 Complex sqrt(const Complex& z) {
   const double modulus = std::sqrt(std::sqrt(z.re * z.re + z.im * z.im)), angle = std::atan2(z.im, z.re) / 2;
   if (z.re == 0 && z.im == 0) return {0, 0};
-  // A negative real number has the root +-i times its modulus, by the sign of its zero.
-  if (z.im == 0 && z.re < 0) return {0, std::copysign(modulus, z.im)};
+  // That of a negative real number, too: its real part is some 1e-16, on which last bits of normals hang (spec 08 M).
   return {modulus * std::cos(angle), modulus * std::sin(angle)};
 }
 
@@ -50,7 +49,7 @@ Complex acosh(const Complex& z) {
 }
 Complex atanh(const Complex& z) {
   if (z.re == 0) return {0, std::atan(z.im)};
-  if (z.im == 0 && std::fabs(z.re) < 1) return {std::atanh(z.re), 0};
+  if (z.im == 0 && std::fabs(z.re) < 1) return {std::log((1 + z.re) / (1 - z.re)) / 2, 0};
   if (z.im == 0 && std::fabs(z.re) == 1) return {0, 0};  // undefined in POV-Ray
   const Complex l = ln(divide({1 + z.re, z.im}, {1 - z.re, -z.im}));
   return {l.re / 2, l.im / 2};
@@ -123,12 +122,14 @@ Complex evaluate(scene::JuliaFunction f, const Vec2& exponent, const Complex& z)
 }  // namespace
 
 Number reciprocal(const Number& h) {
-  // Through the two complex numbers (x - w) + i(y + z) and (x + w) + i(y - z).
-  const Complex a{h.x - h.w, h.y + h.z}, b{h.x + h.w, h.y - h.z};
-  const double ma = a.re * a.re + a.im * a.im, mb = b.re * b.re + b.im * b.im;
-  if (ma == 0 || mb == 0) return {};
-  const Complex p{a.re / ma, -a.im / ma}, q{b.re / mb, -b.im / mb};
-  return {(p.re + q.re) / 2, (p.im + q.im) / 2, (p.im - q.im) / 2, (q.re - p.re) / 2};
+  const double x = h.x, y = h.y, z = h.z, w = h.w;
+  // |h|^2, and the squares of what h stands for, (x - w) + i(y + z) and (x + w) + i(y - z).
+  const double all = norm2<Kind::other>(h), both = ((x - w) * (x - w) + (y + z) * (y + z)) *
+                                                      ((x + w) * (x + w) + (y - z) * (y - z));
+  if (both == 0) return {};
+  const double q = x * w - y * z;
+  return {(x * all - 2 * w * q) / both, (-y * all - 2 * z * q) / both, (-z * all - 2 * y * q) / both,
+          (w * all - 2 * x * q) / both};
 }
 
 Number apply(scene::JuliaFunction f, const Vec2& exponent, const Number& h) {

@@ -1,5 +1,6 @@
 // julia_fractal (spec 04 section 8): rays one by one and in step, normals and insides.
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "tracer/shapes/factories.h"
@@ -87,7 +88,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return has_matrix() ? keep_point(point, matrix().inverse_point(in_world)) : 0;
   }
 
-  // A unit vector by its two smaller components; axis: that of the largest and its sign, 1 to 3; 0: none is kept.
+  // A unit vector by its two smaller components. `axis`: that of the largest and its sign, 1 to 3, and in the bits above
+  // how far the largest is from what the others make of it, in last places; 0: none is kept.
   struct KeptNormal {
     int axis = 0;
     double u = 0, v = 0;
@@ -98,15 +100,24 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       int k = 0;
       for (int i = 1; i < 3; ++i)
         if (std::fabs(n[i]) > std::fabs(n[k])) k = i;
-      axis = n[k] < 0 ? -1 - k : 1 + k, u = n[(k + 1) % 3], v = n[(k + 2) % 3];
+      u = n[(k + 1) % 3], v = n[(k + 2) % 3];
+      const auto steps = static_cast<std::int64_t>(static_cast<std::uint64_t>(kept_point::rank(std::fabs(n[k]))) -
+                                                   static_cast<std::uint64_t>(kept_point::rank(largest())));
+      axis = static_cast<int>(steps >= -kMaxSteps && steps <= kMaxSteps ? steps + kMaxSteps : kMaxSteps) << 2 | (1 + k);
+      if (n[k] < 0) axis = -axis;
     }
     Vec3 direction() const {
-      const int k = std::abs(axis) - 1;
+      const int k = (std::abs(axis) & 3) - 1, steps = (std::abs(axis) >> 2) - kMaxSteps;
       Vec3 n;
-      n[k] = std::copysign(std::sqrt(std::max(0.0, 1 - u * u - v * v)), axis);
+      n[k] = std::copysign(kept_point::of_rank(kept_point::rank(largest()) + steps), axis);
       n[(k + 1) % 3] = u, n[(k + 2) % 3] = v;
       return n;
     }
+
+   private:
+    double largest() const { return std::sqrt(std::max(0.0, 1 - u * u - v * v)); }
+
+    static constexpr int kMaxSteps = 1 << 20;
   };
 
   // The normal at a hit from which the iteration escapes: `orbit` still holds what the search left behind the escape.

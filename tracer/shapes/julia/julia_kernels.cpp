@@ -204,7 +204,7 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
     if constexpr (kQuaternion) {
       running_power = running_power * (K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2);
       if (bits(estimated & ~out) != 0) {
-        if (i > 1) m = quaternion_product(h, m);
+        if (i > 1) m = quaternion_product<K>(h, m);
         if (bits(now) != 0) {
           product2 = select(now, norm2_of_product(m), product2);
           power = select(now, Packet(running_power), power);

@@ -135,7 +135,7 @@ class March {
     Number m = h;
     for (int i = 1; i < count; ++i) {
       h = iteration_.template next<K>(h);
-      m = quaternion_product(h, m);
+      m = quaternion_product<K>(h, m);
     }
     return norm2_of_product(m);
   }

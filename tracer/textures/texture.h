@@ -63,8 +63,13 @@ struct CompiledTexture {
   MapPositions positions;  // of map, ready for lookup
   bool opaque = false;     // POV-Ray's flag: what hits such an object blocks all light (spec 06 9.3)
   bool solid = false;  // no colour of it lets light through; images in maps may, and are flagged opaque all the same
+  bool images_filter = false;  // some image in an entry of a pigment's map does
   bool patterned() const { return layers.empty(); }
 };
+// POV-Ray's flag of one pigment, where nothing is known of images in its map.
+bool flagged_opaque(const scene::Pigment& description, const CompiledPigment& compiled);
+// It is an image that filters or transmits, or was one.
+bool image_filters(const scene::Pigment& description, const CompiledPigment& compiled);
 
 // Owns everything it compiles; pointers stay valid as long as it lives. Equal descriptions (by address) are compiled
 // once.

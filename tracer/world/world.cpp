@@ -117,7 +117,11 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
   if (container) {
     const auto* csg = o.as<scene::Csg>();
     if (!cutaway && csg && (csg->kind != scene::CsgKind::union_ || !o.clipped_by.empty())) cutaway = &shape;
+    const auto outer = handed_down;
+    if (o.texture && compiler.texture(o.texture)->images_filter)
+      handed_down = {o.texture.get(), ready_maps.reveal(o.texture, compiler)};
     for (const auto& child : shape.children()) add_surfaces(*child, frame_object, cutaway, compiler);
+    handed_down = outer;
     return;
   }
   static const scene::Interior kNoInterior;
@@ -145,14 +149,29 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
   const bool flagged =
       was_flagged_opaque(o, compiler) ||
       (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) && (from_outside || flag(s.interior_texture)));
-  s.opaque = s.opaque || flagged;
+  const bool revealed =
+      reveals_images(o, compiler) ||
+      std::ranges::any_of(shape.extra_textures(), [&](const auto& one) { return reveals_images(one, compiler); });
+  s.opaque = (s.opaque || flagged) && !revealed;
+  ready_maps.add(o.texture, compiler), ready_maps.add(o.interior_texture, compiler);
+  for (const scene::TexturePtr& texture : shape.extra_textures()) ready_maps.add(texture, compiler);
   // What casts no shadow by itself does so in a union that casts one, but is not remembered.
-  const bool remembered =
-      !(cutaway ? cutaway->object : &o)->no_shadow && (cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged);
+  const bool remembered = cutaway ? !cutaway->object->no_shadow && flagged_opaque(*cutaway->object, compiler) &&
+                                        !reveals_images(*cutaway->object, compiler)
+                                  : !o.no_shadow && flagged && !revealed;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   for (const auto& light : o.group_lights) rest.group_lights.push_back(light.get());
   if (!rest.group_lights.empty() || !rest.extra_textures.empty()) s.rest = &surface_rests.emplace_back(std::move(rest));
   shape.surface = &s;
+}
+
+bool World::Impl::reveals_images(const scene::Object& object, textures::Compiler& compiler) const {
+  return reveals_images(object.texture, compiler) || reveals_images(object.interior_texture, compiler);
+}
+
+bool World::Impl::reveals_images(const scene::TexturePtr& texture, textures::Compiler& compiler) const {
+  if (!texture) return false;
+  return texture.get() == handed_down.first ? handed_down.second : ready_maps.reveal(texture, compiler);
 }
 
 void World::Impl::find_twice_filtering(std::size_t first) {

@@ -15,6 +15,7 @@
 #include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"
 #include "tracer/bvh/slab_test.h"
+#include "tracer/textures/compile/ready_maps.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/interior_proxy.h"
@@ -185,6 +186,8 @@ struct World::Impl {
   std::vector<Candidate> bounded;  // of each box of the tree
   Bvh tree;
   // Entries of the tree that hold more than lies in their surface's box: all on one side of a disc is inside.
+  textures::ReadyMaps ready_maps;                      // while surfaces are added
+  std::pair<const scene::Texture*, bool> handed_down;  // the texture of the CSG around them: images in maps reveal it
   std::vector<std::uint32_t> deep;
   std::vector<Box3> deep_boxes;
   Bvh deep_tree;
@@ -218,6 +221,9 @@ struct World::Impl {
   void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   // Surface::filters_twice of a frame-level object's surfaces, which are those from `first` on.
+  // It is not opaque by images in maps that objects before had.
+  bool reveals_images(const scene::Object& object, textures::Compiler& compiler) const;
+  bool reveals_images(const scene::TexturePtr& texture, textures::Compiler& compiler) const;
   void find_twice_filtering(std::size_t first);
   void find_enclosures();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.

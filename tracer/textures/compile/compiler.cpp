@@ -149,7 +149,8 @@ const CompiledTexture* Compiler::Impl::texture(const scene::TexturePtr& d, bool 
 
 const CompiledPigment* Compiler::Impl::share(CompiledPigment c) {
   // One that is transparent by what it has replaced is another than its colour tells.
-  const bool told_by_color = c.source == CompiledPigment::Source::plain && c.transparent == lets_light_through(c.color);
+  const bool told_by_color =
+      c.source == CompiledPigment::Source::plain && !c.images_filter && c.transparent == lets_light_through(c.color);
   if (!told_by_color || c.pattern) return pigments.add(std::move(c));
   const CompiledPigment*& known = solid_colors[SolidColor(c.color)];
   if (!known) known = pigments.add(std::move(c));
@@ -239,6 +240,10 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
   // A pattern keeps the solid colour that it has taken the place of, a solid colour and an image the map, and POV-Ray
   // heeds them still.
   c.transparent = c.seems_transparent = lets_light_through(d.color) || map_lets_light_through(d);
+  c.images_filter = d.pigment_map && std::ranges::any_of(*d.pigment_map, [this](const auto& entry) {
+                      const CompiledPigment& child = *pigment(entry.value);
+                      return child.images_filter || image_filters(*entry.value, child);
+                    });
   switch (d.pattern.kind) {
     case scene::PatternKind::plain:
       c.color = d.color;
@@ -329,9 +334,9 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   for (auto layer = d.layers.rbegin(); layer != d.layers.rend(); ++layer) {
     const CompiledPigment* compiled = pigment(layer->pigment);
     c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, *layer->finish});
-    const bool image = compiled->source == CompiledPigment::Source::image;
-    c.opaque |= !layer->pigment->image_filters && !(image ? compiled->transparent : compiled->seems_transparent);
+    c.opaque |= flagged_opaque(*layer->pigment, *compiled);
     c.solid |= !compiled->transparent;
+    c.images_filter |= compiled->images_filter;
   }
   if (!d.patterned()) return c;
   if (!d.texture_map || d.texture_map->empty()) throw std::invalid_argument("a patterned texture without map");
@@ -347,10 +352,20 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
     c.map.push_back({entry.position, texture(entry.value, entries)});
     c.solid = c.solid && c.map.back().value->solid;
     c.opaque = c.opaque && c.map.back().value->opaque;
+    c.images_filter |= c.map.back().value->images_filter;
   }
   if (!c.material_map) c.opaque = c.solid;
   c.positions = MapPositions(c.map);
   return c;
+}
+
+bool flagged_opaque(const scene::Pigment& description, const CompiledPigment& compiled) {
+  const bool image = compiled.source == CompiledPigment::Source::image;
+  return !description.image_filters && !(image ? compiled.transparent : compiled.seems_transparent);
+}
+
+bool image_filters(const scene::Pigment& description, const CompiledPigment& compiled) {
+  return description.image_filters || (compiled.source == CompiledPigment::Source::image && compiled.transparent);
 }
 
 Compiler::Compiler(const Settings& settings) : Compiler(settings, MapsWithoutBumpScale()) {}

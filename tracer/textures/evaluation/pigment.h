@@ -41,8 +41,9 @@ struct CompiledPigment {
   Source source = Source::plain;
   bool transparent = false;  // some entry filters or transmits, or may have no colour (spec 05 11.4)
   bool seems_transparent =
-      false;    // so POV-Ray finds in entries of maps, where of images only transmitting pixels count
-  Color color;  // plain
+      false;                   // so POV-Ray finds in entries of maps, where of images only transmitting pixels count
+  bool images_filter = false;  // some image in an entry of its map does, or of a map that it has taken the place of
+  Color color;                 // plain
   const CompiledPattern* pattern = nullptr;      // all but plain
   const ColorTable* table = nullptr;             // color_map
   MapPositions positions;                        // pigment_map; the weights of average

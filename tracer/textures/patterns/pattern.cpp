@@ -112,13 +112,21 @@ PatternValue remembered_value(const CompiledPattern& c, const Vec3& p) {
   return slot.result;
 }
 
+// Frames of textures are many and mostly the pattern's own space: what is a unit vector to the last bit stays one.
+static Vec3 normalize_twice(const Vec3& n) {
+  const Vec3 once = normalize(n);
+  return once == n ? once : normalize(once);
+}
+
 Vec3 normal_into_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
+  if (pattern.frame.empty()) return no_bump_scale ? n : normalize_twice(n);
   if (!no_bump_scale) n = normalize(n);
   for (const Transform& t : pattern.frame) n = t.inverse_normal(n);
   return no_bump_scale ? n : normalize(n);
 }
 
 Vec3 normal_out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
+  if (pattern.frame.empty()) return no_bump_scale ? n : normalize_twice(n);
   if (!no_bump_scale) n = normalize(n);
   for (std::size_t k = pattern.frame.size(); k-- > 0;) n = pattern.frame[k].normal(n);
   return no_bump_scale ? n : normalize(n);

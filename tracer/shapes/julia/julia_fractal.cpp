@@ -33,11 +33,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     julia::March(iteration_)
         .walk(orbit, {r.origin, r.direction}, begin, end, last, [&](double depth, const Vec3& point, double uncounted) {
           const Vec3 in_world = world(point);
+          const double distance = (depth - uncounted) / r.scale;
+          // Too near to be seen: by rays of subsurface light neither, which see what is nearer of other shapes.
+          if (distance < kNearest) return Sink::kNearest && !sink.clipped(in_world);
           const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
           const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
-          sink.add((depth - uncounted) / r.scale, [&] { return in_world; }, kept.axis, kept.u, v);
-          // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not
-          // meet the far side.
+          sink.add(distance, [&] { return in_world; }, kept.axis, kept.u, v);
+          // Outside CSG the march ends with the first hit, even one too near: refracted rays often do not meet the far
+          // side.
           return Sink::kNearest && !sink.clipped(in_world);
         });
   }
@@ -127,6 +130,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return KeptNormal(world_normal(iteration_.hypercomplex_normal(orbit, field_.iterations)));
   }
 
+  static constexpr double kNearest = 1e-4;
   static constexpr int kMin = 3;  // rays that march in step; fewer look ahead instead
 
   // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just

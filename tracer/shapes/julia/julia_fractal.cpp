@@ -28,12 +28,10 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     double begin, end, last;
     if (!enters(r, begin, end, last)) return;
     Orbit orbit(field_.iterations + 1);
-    // After an intersection POV-Ray's march goes on behind the coarse step, but counts distances from the intersection:
-    // those of later hits, not their points, fall short.
     julia::March(iteration_)
-        .walk(orbit, {r.origin, r.direction}, begin, end, last, [&](double depth, const Vec3& point, double uncounted) {
+        .walk(orbit, {r.origin, r.direction}, begin, end, last, [&](double depth, const Vec3& point) {
           const Vec3 in_world = world(point);
-          const double distance = (depth - uncounted) / r.scale;
+          const double distance = depth / r.scale;
           // Too near to be seen: by rays of subsurface light neither, which see what is nearer of other shapes.
           if (distance < kNearest) return Sink::kNearest && !sink.clipped(in_world);
           const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};

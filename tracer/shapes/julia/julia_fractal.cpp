@@ -36,7 +36,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
           if (distance < kNearest) return Sink::kNearest && !sink.clipped(in_world);
           const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
           const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
-          sink.add(distance, [&] { return in_world; }, kept.axis, kept.u, v);
+          sink.add(
+              distance, [&] { return in_world; }, kept.axis, kept.u, v);
           // Outside CSG the march ends with the first hit, even one too near: refracted rays often do not meet the far
           // side.
           return Sink::kNearest && !sink.clipped(in_world);
@@ -89,8 +90,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return has_matrix() ? keep_point(point, matrix().inverse_point(in_world)) : 0;
   }
 
-  // A unit vector by its two smaller components. `axis`: that of the largest and its sign, 1 to 3, and in the bits above
-  // how far the largest is from what the others make of it, in last places; 0: none is kept.
+  // A unit vector by its two smaller components. `axis`: that of the largest and its sign, 1 to 3, and in the bits
+  // above how far the largest is from what the others make of it, in last places; 0: none is kept.
   struct KeptNormal {
     int axis = 0;
     double u = 0, v = 0;

@@ -10,9 +10,9 @@ class March {
  public:
   explicit March(const Iteration& iteration) : iteration_(iteration), field_(iteration.field()) {}
 
-  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, its point) says
-  // whether to stop. Where it does not, the march goes on behind the coarse step, but counts distances from just
-  // behind the intersection, as POV-Ray does: those of later hits, not their points, fall short, and so does the end.
+  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, its point)
+  // says whether to stop. Where it does not, the march goes on behind the coarse step, but counts distances from the
+  // intersection, as POV-Ray does: those of later hits, not their points, fall short, and so does the end.
   template <class Found>
   void walk(Orbit& orbit, const Ray& r, double t, double end, double last, Found&& found) const {
     double estimate, uncounted = 0;
@@ -26,7 +26,8 @@ class March {
     const auto crossed = [&](const Reached& base, double step, bool now) {
       const Reached hit = bisect(orbit, base, r.direction, step, in);
       in = now;
-      const double counted = hit.depth + kFine;
+      // Of a crossing back in the same place the first is seen: a last place is added.
+      const double counted = std::nextafter(hit.depth, end);
       uncounted += t - counted, t = counted;
       return found(hit.depth, hit.point);
     };

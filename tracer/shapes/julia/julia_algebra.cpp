@@ -124,8 +124,8 @@ Complex evaluate(scene::JuliaFunction f, const Vec2& exponent, const Complex& z)
 Number reciprocal(const Number& h) {
   const double x = h.x, y = h.y, z = h.z, w = h.w;
   // |h|^2, and the squares of what h stands for, (x - w) + i(y + z) and (x + w) + i(y - z).
-  const double all = norm2<Kind::other>(h), both = ((x - w) * (x - w) + (y + z) * (y + z)) *
-                                                      ((x + w) * (x + w) + (y - z) * (y - z));
+  const double all = norm2<Kind::other>(h),
+               both = ((x - w) * (x - w) + (y + z) * (y + z)) * ((x + w) * (x + w) + (y - z) * (y - z));
   if (both == 0) return {};
   const double q = x * w - y * z;
   return {(x * all - 2 * w * q) / both, (-y * all - 2 * z * q) / both, (-z * all - 2 * y * q) / both,

@@ -28,16 +28,18 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     double begin, end, last;
     if (!enters(r, begin, end, last)) return;
     Orbit orbit(field_.iterations + 1);
-    // After an intersection POV-Ray's march goes on behind the coarse step, but counts distances from the intersection:
-    // those of later hits, not their points, fall short.
     julia::March(iteration_)
-        .walk(orbit, {r.origin, r.direction}, begin, end, last, [&](double depth, const Vec3& point, double uncounted) {
+        .walk(orbit, {r.origin, r.direction}, begin, end, last, [&](double depth, const Vec3& point) {
           const Vec3 in_world = world(point);
+          const double distance = depth / r.scale;
+          // Too near to be seen: by rays of subsurface light neither, which see what is nearer of other shapes.
+          if (distance < kNearest) return Sink::kNearest && !sink.clipped(in_world);
           const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
           const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
-          sink.add((depth - uncounted) / r.scale, [&] { return in_world; }, kept.axis, kept.u, v);
-          // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not
-          // meet the far side.
+          sink.add(
+              distance, [&] { return in_world; }, kept.axis, kept.u, v);
+          // Outside CSG the march ends with the first hit, even one too near: refracted rays often do not meet the far
+          // side.
           return Sink::kNearest && !sink.clipped(in_world);
         });
   }
@@ -88,8 +90,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return has_matrix() ? keep_point(point, matrix().inverse_point(in_world)) : 0;
   }
 
-  // A unit vector by its two smaller components. `axis`: that of the largest and its sign, 1 to 3, and in the bits above
-  // how far the largest is from what the others make of it, in last places; 0: none is kept.
+  // A unit vector by its two smaller components. `axis`: that of the largest and its sign, 1 to 3, and in the bits
+  // above how far the largest is from what the others make of it, in last places; 0: none is kept.
   struct KeptNormal {
     int axis = 0;
     double u = 0, v = 0;
@@ -127,6 +129,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return KeptNormal(world_normal(iteration_.hypercomplex_normal(orbit, field_.iterations)));
   }
 
+  static constexpr double kNearest = 1e-4;
   static constexpr int kMin = 3;  // rays that march in step; fewer look ahead instead
 
   // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just

@@ -173,7 +173,8 @@ class Iteration {
           const double inner = h.y * d->y + h.z * d->z + h.w * d->w;
           const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q,
                        dt = 6 * h.x * d->x - 2 * inner;
-          *d = {3 * ((x2 - q) * d->x - 2 * (h.x * inner)), dt * h.y + t * d->y, dt * h.z + t * d->z, dt * h.w + t * d->w};
+          *d = {3 * ((x2 - q) * d->x - 2 * (h.x * inner)), dt * h.y + t * d->y, dt * h.z + t * d->z,
+                dt * h.w + t * d->w};
         } else {
           *d = {h.x * d->x - h.y * d->y - h.z * d->z - h.w * d->w, h.x * d->y + h.y * d->x, h.x * d->z + h.z * d->x,
                 h.x * d->w + h.w * d->x};

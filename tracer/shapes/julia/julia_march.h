@@ -10,8 +10,9 @@ class March {
  public:
   explicit March(const Iteration& iteration) : iteration_(iteration), field_(iteration.field()) {}
 
-  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, its point, by
-  // how much later hits' distances fall short) says whether to stop. Where the march ends is counted short, too.
+  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, its point)
+  // says whether to stop. Where it does not, the march goes on behind the coarse step, but counts distances from the
+  // intersection, as POV-Ray does: those of later hits, not their points, fall short, and so does the end.
   template <class Found>
   void walk(Orbit& orbit, const Ray& r, double t, double end, double last, Found&& found) const {
     double estimate, uncounted = 0;
@@ -24,12 +25,13 @@ class March {
     }
     const auto crossed = [&](const Reached& base, double step, bool now) {
       const Reached hit = bisect(orbit, base, r.direction, step, in);
-      const double before = uncounted;
       in = now;
-      uncounted += t - hit.depth;
-      return found(hit.depth, hit.point, before);
+      // Of a crossing back in the same place the first is seen: a last place is added.
+      const double counted = std::nextafter(hit.depth, end);
+      uncounted += t - counted, t = counted;
+      return found(hit.depth, hit.point);
     };
-    while (t <= last) {
+    while (t + uncounted <= last) {
       if (estimate <= field_.precision && field_.kind != Kind::other) {
         // Where the smallest step is due it mostly is so for many steps: look ahead.
         double ahead[kLanes], estimates[kLanes], at = t;
@@ -39,14 +41,17 @@ class March {
           ahead[k] = at += field_.precision;
           points.set(k, next_point += field_.precision * r.direction);
         }
-        if (!(ahead[0] - uncounted <= end)) return;
+        if (!(ahead[0] <= end)) return;
         const unsigned inside = kernels().march(field_, points, r.direction, estimates);
         for (int k = 0; k < kLanes; ++k) {
-          if (!(ahead[k] - uncounted <= end)) return;
+          if (!(ahead[k] <= end)) return;
           const Reached base{t, p};
           t = ahead[k], p = points[k], estimate = estimates[k];
           const bool now = inside >> k & 1;
-          if (now != in && crossed(base, field_.precision, now)) return;
+          if (now != in) {
+            if (crossed(base, field_.precision, now)) return;
+            break;  // distances ahead are others now
+          }
           if (estimate > field_.precision) break;
         }
         continue;
@@ -54,7 +59,7 @@ class March {
       const double step = std::max(estimate, field_.precision);
       const Reached base{t, p};
       t += step, p += step * r.direction;
-      if (!(t - uncounted <= end)) return;
+      if (!(t <= end)) return;
       const bool now = march(orbit, p, r.direction, estimate);
       if (now != in && crossed(base, step, now)) return;
     }

@@ -15,4 +15,10 @@ object { Pane pigment { Shown } translate <0, 0, 1> }
 object { Pane pigment { Shown rgb <0.5, 0.6, 1> } translate <2.2, 0, 1> }
 difference { object { Pane } sphere { <0, 1.1, 0>, 0.3 } pigment { Shown rotate 45 * y } translate <-2.2, 0, -0.7> }
 object { Pane texture { wood texture_map { [0 pigment { Shown }] [1 pigment { rgbt 0.5 }] } } translate <0, 0, -0.7> }
+// The parts of a union are ready together.
+union {
+  object { Pane translate <-0.9, 0, 2.6> }
+  object { Pane translate <0.9, 0, 2.6> }
+  pigment { gradient y pigment_map { [0 rgb <0.6, 1, 0.6>] [1 image_map { function 8, 8 { y } filter all 0.8 }] } }
+}
 object { Pane pigment { checker pigment { rgb 1 }, pigment { image_map { function 8, 8 { x } filter all 0.9 } } } translate <2.2, 0, -0.7> }

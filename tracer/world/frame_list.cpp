@@ -65,15 +65,19 @@ ObjectPtr union_of_letters(const Object& object) {
   return whole;
 }
 
-void collect_objects(const Object& object, bool split_unions, bool copied, FrameList& list) {
+// `whole`: the dissolved union around the object that has a texture.
+void collect_objects(const Object& object, bool split_unions, bool copied, const Object* whole, FrameList& list) {
   copied = copied || object.copied;
+  const bool handed_down = whole && object.texture == whole->texture;
   if (is_dissolved(object, split_unions)) {
-    for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, copied, list);
+    if (object.texture && !handed_down) whole = &object;
+    for (const ObjectPtr& child : scene::children_of(object))
+      collect_objects(*child, split_unions, copied, whole, list);
     return;
   }
   if (is_union_of_letters(object)) {
     list.texts.push_back(union_of_letters(object));
-    collect_objects(*list.texts.back(), split_unions, copied, list);
+    collect_objects(*list.texts.back(), split_unions, copied, whole, list);
     return;
   }
   ++list.entries;
@@ -82,6 +86,7 @@ void collect_objects(const Object& object, bool split_unions, bool copied, Frame
   }
   list.objects.push_back(&object);
   list.copied.push_back(copied);
+  list.whole.push_back(handed_down ? whole : nullptr);
 }
 
 }  // namespace
@@ -89,7 +94,7 @@ void collect_objects(const Object& object, bool split_unions, bool copied, Frame
 FrameList frame_list(const scene::Scene& scene, bool split_unions) {
   FrameList list;
   for (const ObjectPtr& object : scene.objects) {
-    collect_objects(*object, split_unions, false, list);
+    collect_objects(*object, split_unions, false, nullptr, list);
     collect_lights(*object, false, list.lights);
   }
   return list;

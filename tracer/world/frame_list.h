@@ -11,6 +11,7 @@ struct FrameList {
   std::vector<const scene::Object*> objects;  // unions dissolved where POV-Ray dissolves them; no light sources
   std::vector<scene::ObjectPtr> texts;        // unions of letters that stand for them: the scene does not have these
   std::vector<bool> copied;                   // each of the objects, or a union around it, is a copy of a declared one
+  std::vector<const scene::Object*> whole;    // of each the dissolved union whose texture it has; null: none
   std::vector<const scene::LightSource*> lights;  // that light the whole scene, in file order
   std::size_t entries = 0;                        // as POV-Ray counts them: light sources included
 };

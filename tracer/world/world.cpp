@@ -119,7 +119,7 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     if (!cutaway && csg && (csg->kind != scene::CsgKind::union_ || !o.clipped_by.empty())) cutaway = &shape;
     const auto outer = handed_down;
     if (o.texture && compiler.texture(o.texture)->images_filter)
-      handed_down = {o.texture.get(), ready_maps.reveal(o.texture, compiler)};
+      handed_down = {o.texture.get(), reveals_images(o.texture, compiler)};
     for (const auto& child : shape.children()) add_surfaces(*child, frame_object, cutaway, compiler);
     handed_down = outer;
     return;
@@ -174,6 +174,14 @@ bool World::Impl::reveals_images(const scene::TexturePtr& texture, textures::Com
   return texture.get() == handed_down.first ? handed_down.second : ready_maps.reveal(texture, compiler);
 }
 
+void World::Impl::hand_down(const scene::Object* whole, textures::Compiler& compiler) {
+  handed_down = {};
+  if (!whole || !compiler.texture(whole->texture)->images_filter) return;
+  const auto [known, fresh] = dissolved.try_emplace(whole, false);
+  if (fresh) known->second = ready_maps.reveal(whole->texture, compiler);
+  handed_down = {whole->texture.get(), known->second};
+}
+
 void World::Impl::find_twice_filtering(std::size_t first) {
   // Some of its points may block all light.
   const auto may_block = [](const Surface& surface) {
@@ -208,6 +216,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     const scene::Object& o = *list.objects[i];
     std::unique_ptr<Shape> shape = shapes::compile(o, {arrangement.remove_bounds});
     const std::size_t first_surface = w.surfaces.size();
+    if (i == 0 || list.whole[i] != list.whole[i - 1]) w.hand_down(list.whole[i], compiler);
     w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
     w.find_twice_filtering(first_surface);
 

@@ -185,9 +185,12 @@ struct World::Impl {
   bool only_enclosures = false;    // whatever is not opaque has one
   std::vector<Candidate> bounded;  // of each box of the tree
   Bvh tree;
+  // While surfaces are added. Of the texture of the CSG around them: whether images in maps reveal it; likewise of
+  // those of dissolved unions that were met.
+  textures::ReadyMaps ready_maps;
+  std::pair<const scene::Texture*, bool> handed_down;
+  std::unordered_map<const scene::Object*, bool> dissolved;
   // Entries of the tree that hold more than lies in their surface's box: all on one side of a disc is inside.
-  textures::ReadyMaps ready_maps;                      // while surfaces are added
-  std::pair<const scene::Texture*, bool> handed_down;  // the texture of the CSG around them: images in maps reveal it
   std::vector<std::uint32_t> deep;
   std::vector<Box3> deep_boxes;
   Bvh deep_tree;
@@ -220,10 +223,12 @@ struct World::Impl {
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
   void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
-  // Surface::filters_twice of a frame-level object's surfaces, which are those from `first` on.
   // It is not opaque by images in maps that objects before had.
   bool reveals_images(const scene::Object& object, textures::Compiler& compiler) const;
   bool reveals_images(const scene::TexturePtr& texture, textures::Compiler& compiler) const;
+  // For the parts of a dissolved union that have its texture; or null.
+  void hand_down(const scene::Object* whole, textures::Compiler& compiler);
+  // Surface::filters_twice of a frame-level object's surfaces, which are those from `first` on.
   void find_twice_filtering(std::size_t first);
   void find_enclosures();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.

@@ -16,7 +16,7 @@
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-4, kFarthest = 1e7, kSmallestCap2 = 1e-4;
+constexpr double kStart = 1e-10, kNearest = 1e-4, kFarthest = 1e7, kSmallestCap2 = 1e-4;
 constexpr std::int32_t kBase = -1, kCap = -2;
 
 struct Segment {
@@ -89,9 +89,9 @@ class Sor final : public Primitive<Sor> {
       : Primitive(description, {sor_box(sor)}), segments_(segments_of(sor)), sturm_(description.sturm) {
     if (segments_.empty()) return;
     outer2_ = largest_radius2(segments_);
-    const double slack = 1e-9 * outer2_ + 1e-12;
-    outer2_ += slack;
-    for (Segment& s : segments_) s.least2 -= slack, s.most2 += slack;
+    slack_ = 1e-9 * outer2_ + 1e-12;
+    outer2_ += slack_;
+    for (Segment& s : segments_) s.least2 -= slack_;
     const auto end = [&](double y, const Segment& s) { return End{y, s.radius2(y)}; };
     base_ = end(segments_.front().low, segments_.front()), cap_ = end(segments_.back().high, segments_.back());
     has_base_ = !sor.open && base_.radius2 > kSmallestCap2;
@@ -146,7 +146,7 @@ class Sor final : public Primitive<Sor> {
   void search(const Ray& ray, const LocalRay& l, Sink& sink, double to) const {
     const Vec3 &p = l.origin, &d = l.direction;
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
-    double near = 0, far = std::min(kFarthest, to) * l.scale;  // within the largest radius
+    double near = kStart, far = std::min(kFarthest, to) * l.scale;  // within the largest radius
     if (r > 1e-20) {
       const double discriminant = m * m - r * (c - outer2_);
       if (!(discriminant >= 0)) return;
@@ -171,8 +171,9 @@ class Sor final : public Primitive<Sor> {
   };
 
   // Whether the interval near .. far of a ray, whose squared distance from the axis is (r t + 2 m) t + c, comes through
-  // the annulus of a segment.
-  static bool enters(const Segment& s, double py, double dy, double near, double far, double r, double m, double c) {
+  // the annulus of a segment. What leaves it before kStart is not in it (spec 03 4.16): that close to it false roots of
+  // nearly level rays would be seen.
+  bool enters(const Segment& s, double py, double dy, double near, double far, double r, double m, double c) const {
     if (dy == 0) {
       if (py < s.low || py > s.high) return false;
     } else {
@@ -183,7 +184,8 @@ class Sor final : public Primitive<Sor> {
     if (!(near <= far)) return false;
     const auto rho2 = [&](double t) { return (r * t + 2 * m) * t + c; };
     const double middle = r > 0 ? std::clamp(-m / r, near, far) : near;
-    return rho2(middle) <= s.most2 && std::max(rho2(near), rho2(far)) >= s.least2;
+    return rho2(middle) <= (middle == kStart ? s.most2 : s.most2 + slack_) &&
+           std::max(rho2(near), rho2(far)) >= s.least2;
   }
 
   // Where the ray p + t d meets the surface of the segment's cubic at any height.
@@ -207,7 +209,7 @@ class Sor final : public Primitive<Sor> {
   }
 
   std::vector<Segment> segments_;
-  double outer2_ = 0;
+  double outer2_ = 0, slack_ = 0;  // slack: for rounding, of squared radii
   End base_, cap_;
   bool has_base_ = false, has_cap_ = false, sturm_;
 };

@@ -137,6 +137,22 @@ TEST(Sor, ThinSegmentsAreAsWideAsPovRaysMatrixMakesThem) {
   expect_extent(object, {-1.781540989876, 2, -1.781540989876}, {1.781540989876, 2.200000047684, 1.781540989876});
 }
 
+// Nearly level rays see false roots, unless they leave the annulus within 1e-10 of their start: POV-Ray's results.
+TEST(Sor, IsNotFoundFromItsOwnLargestRadius) {
+  const auto target = query::Target(sor({{0, -1}, {0.5, -0.8}, {1, 0}, {0.3, 0.8}, {0.5, 1.2}}));
+  const auto from = [&](const Vec3& origin, const Vec3& direction) {
+    return target.trace(origin, normalize(direction));
+  };
+  const auto seen = from({0.61606878771496787, 0.040320604890734357, 0.7876923554303481},
+                         {0.73974243476538493, -0.0015959694693995581, 0.67289013234508066});
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(length(seen->point), 1.03243200660975387, 1e-9);
+  EXPECT_FALSE(from({0.46005913715676322, 0.044756530187101511, -0.88788827580758978},
+                    {-0.026919260108022536, -0.0024347864622888686, -0.99963761105474447}));
+  EXPECT_FALSE(from({-0.72416596233786723, 0.014798394079748318, 0.6896257383460036},
+                    {-0.97169641390540296, -0.0025811123497359294, 0.23623310352992388}));
+}
+
 TEST(Sor, Radii) {
   const auto object = sor({{0.2, -0.5}, {0.6, 0}, {1.1, 0.7}, {0.5, 1.6}, {0.4, 2.2}});
   for (const auto& [height, radius] :

@@ -276,6 +276,7 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
     width = select(steps, select(now.estimate < f.precision, Packet(f.precision), now.estimate), width);
     // The state changes between base and base + width.
     halving = halving | changed;
+    base = select(changed, at - width, base);  // as March::walk has it
     const Mask fine = width > kFine, halves = (halved | changed) & fine, done = (halved | changed) & ~fine;
     width = select(halves, width / 2.0, width);
     const Packet ahead = base + width;

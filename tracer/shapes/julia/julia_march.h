@@ -24,7 +24,8 @@ class March {
       in = march(orbit, p, r.direction, estimate);
     }
     const auto crossed = [&](const Reached& base, double step, bool now) {
-      const Reached hit = bisect(orbit, base, r.direction, step, in);
+      // The step is taken back from the distance: where it passed a power of two a last place is lost.
+      const Reached hit = bisect(orbit, {t - step, base.point}, r.direction, step, in);
       in = now;
       // Of a crossing back in the same place the first is seen: a last place is added.
       const double counted = std::nextafter(hit.depth, end);

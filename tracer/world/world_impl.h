@@ -1,5 +1,5 @@
-// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_batches.cpp
-// eight.
+// What a World is made of, for its own files: world.cpp makes it, world_surfaces.cpp tells what shows and blocks light
+// on it, world_search.cpp follows one ray, world_batches.cpp eight.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <unordered_map>
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"

@@ -9,7 +9,7 @@
 #include "tracer/textures/lookup/image_lookup.h"
 #include "tracer/textures/patterns/density_file.h"
 #include "tracer/textures/patterns/pavement.h"
-#include "tracer/textures/patterns/tiling.h"
+#include "tracer/textures/patterns/tilings/tiling.h"
 #include "tracer/textures/point_batch.h"
 #include "tracer/textures/texture.h"
 #include "tracer/textures/warp.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tracer/textures/patterns/tiling.h"
+#include "tracer/textures/patterns/tilings/tiling.h"
 
 namespace verisim::textures {
 namespace {

@@ -1,4 +1,4 @@
-#include "tracer/textures/patterns/tiling.h"
+#include "tracer/textures/patterns/tilings/tiling.h"
 
 #include <gtest/gtest.h>
 

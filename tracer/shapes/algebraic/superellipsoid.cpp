@@ -78,14 +78,14 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   void intersect_packet_between(const RayPacket& rays, RayKind kind, const double* from, const double* to,
                                 LaneHits& hits) const override {
     if (guarded_ || !search_.convex()) return Shape::intersect_packet_between(rays, kind, from, to, hits);
-    constexpr int kMostHits = 12;  // one at each knot
-    double depths[ConvexPacket::kCount][kMostHits];
+    constexpr int kMaxHits = 12;  // one at each knot
+    double depths[ConvexPacket::kCount][kMaxHits];
     int counts[ConvexPacket::kCount] = {};
     PacketWays w;
     search_packet(rays, w, [&](int k, double depth) {
       if (depth > to[k]) return true;
       if (depth > kNearest && depth < kFarthest) depths[k][counts[k]++] = depth;
-      return counts[k] == kMostHits;
+      return counts[k] == kMaxHits;
     });
     each_lane(w.entered, [&](int k) {
       const Ray ray = rays.at(k);

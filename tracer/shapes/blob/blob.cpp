@@ -29,7 +29,7 @@ using namespace blob;
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
 constexpr std::size_t kFewEvents = 4, kRankedEvents = 48, kManyEvents = 2048;
 constexpr std::size_t kMaxTextures = 512;
-constexpr int kFewestTogether = 3;  // fewer rays are faster one by one
+constexpr int kMinTogether = 3;  // fewer rays are faster one by one
 
 using Part = BlobPart;
 using PartKind = BlobPartKind;
@@ -218,7 +218,7 @@ class Blob final : public SearchPrimitive<Blob> {
       lanes &= ~p.behind;
       each_lane(p.met & lanes, [&](int k) { lanes &= p.t1[k] < kNearest ? ~(1u << k) : ~0u; });
     }
-    if (std::popcount(lanes) < kFewestTogether) return 0;
+    if (std::popcount(lanes) < kMinTogether) return 0;
     blob_kernels().intervals(ordered.data(), count, l, lanes,
                              {threshold_, too_near_of_rays(), limits.from, limits.to, limits.first}, lists);
     return lanes;

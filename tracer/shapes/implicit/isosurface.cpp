@@ -59,7 +59,7 @@ class Isosurface final : public Primitive<Isosurface> {
  public:
   Isosurface(const scene::Object& description, const scene::Isosurface& s)
       : Primitive(description, {container_box(s.container), true}), surface_(s), max_gradient_(s.max_gradient) {
-    max_trace_ = s.max_trace <= 0 || s.max_trace > kMostTraced ? kMostTraced : s.max_trace;
+    max_trace_ = s.max_trace <= 0 || s.max_trace > kMaxTraced ? kMaxTraced : s.max_trace;
     const bool plain = !s.evaluate && description.clipped_by.empty() && description.bounded_by.empty();
     if (plain) in_batches_ = FieldPacket::suitable(s.function.get());
     if (!s.evaluate) field_.narrowing = functions::Narrowing::of(s.function.get());
@@ -181,11 +181,11 @@ class Isosurface final : public Primitive<Isosurface> {
   template <class Value, class Sink>
   void trace(const Ray& ray, IsosurfaceSearch<Value>& search, const ContainerSpan& span, Sink& sink) const;
 
-  static constexpr int kMostTraced = 10;
+  static constexpr int kMaxTraced = 10;
   // Of eight rays, in the order in which they are found.
   struct EveryHit {
-    double t[RayPacket::kCount][1 + kMostTraced];  // the first of them may be on the container
-    int face[RayPacket::kCount][1 + kMostTraced];
+    double t[RayPacket::kCount][1 + kMaxTraced];  // the first of them may be on the container
+    int face[RayPacket::kCount][1 + kMaxTraced];
     int count[RayPacket::kCount] = {};
   };
   // The nearest hits of eight rays, or any, as NearestHit keeps them for one; or every hit.

@@ -118,14 +118,14 @@ struct Numbers {
   Packet x, y, z, w;
 };
 
-struct Place {
+struct PacketPoint {
   Packet x, y, z;
 };
-HWY_INLINE Place load_place(const double (&at)[3][kLanes]) { return {load(at[0]), load(at[1]), load(at[2])}; }
-HWY_INLINE Place onward(const Place& p, const Packet& by, const Place& direction) {
+HWY_INLINE PacketPoint load_point(const double (&at)[3][kLanes]) { return {load(at[0]), load(at[1]), load(at[2])}; }
+HWY_INLINE PacketPoint onward(const PacketPoint& p, const Packet& by, const PacketPoint& direction) {
   return {p.x + by * direction.x, p.y + by * direction.y, p.z + by * direction.z};
 }
-HWY_INLINE Place select_place(const Mask& where, const Place& a, const Place& b) {
+HWY_INLINE PacketPoint select_point(const Mask& where, const PacketPoint& a, const PacketPoint& b) {
   return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
 }
 
@@ -139,13 +139,13 @@ HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
 // left, as a search moves.
 template <Kind K>
 HWY_INLINE unsigned halvings_of(const Field& f, const Vec3& from, const Vec3& d, double width) {
-  const Place direction{Packet(d.x), Packet(d.y), Packet(d.z)},
+  const PacketPoint direction{Packet(d.x), Packet(d.y), Packet(d.z)},
       start_place{Packet(from.x), Packet(from.y), Packet(from.z)};
-  const auto move = [&](Place& place, unsigned lanes, double by) {
-    place = select_place(Mask::of_bits(lanes), onward(place, Packet(by), direction), place);
+  const auto move = [&](PacketPoint& place, unsigned lanes, double by) {
+    place = select_point(Mask::of_bits(lanes), onward(place, Packet(by), direction), place);
   };
   const double half = width / 2, quarter = half / 2, eighth = quarter / 2;
-  Place first = start_place, last = start_place;
+  PacketPoint first = start_place, last = start_place;
   move(first, 0b11100101, half), move(first, 0b11010110, quarter), move(first, 0b11111000, eighth);
   move(last, 0b11110000, half), move(last, 0b11001100, quarter), move(last, 0b10101010, eighth);
   move(last, kAll, eighth / 2);
@@ -187,8 +187,8 @@ struct Marched {
 
 // At one point of each ray that is asked for; estimates only where they are asked for.
 template <Kind K>
-HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& direction, const Mask& active_mask,
-                            const Mask& estimated) {
+HWY_INLINE Marched march_of(const Field& f, const PacketPoint& place, const PacketPoint& direction,
+                            const Mask& active_mask, const Mask& estimated) {
   constexpr bool kQuaternion = is_quaternion(K);
   Numbers h = first_iterate<Numbers>(f, place);
   Mask out = ~active_mask;
@@ -214,7 +214,7 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
       if (bits(now) != 0) {
         Numbers n = h;
         if constexpr (K == Kind::hypercomplex_square) n = scaled(n, scale);
-        const Place v = hypercomplex_gradient<Place>(m, n);
+        const PacketPoint v = hypercomplex_gradient<PacketPoint>(m, n);
         slope = select(now, v.x * direction.x + v.y * direction.y + v.z * direction.z, slope);
       }
       if (i > 1) {
@@ -245,7 +245,7 @@ HWY_INLINE Marched march_of(const Field& f, const Place& place, const Place& dir
 template <Kind K>
 HWY_INLINE unsigned march_one(const Field& f, const Points& points, const Vec3& d, double* estimate) {
   const Mask all = Mask::all();
-  const Marched at = march_of<K>(f, load_place(points.at), {Packet(d.x), Packet(d.y), Packet(d.z)}, all, all);
+  const Marched at = march_of<K>(f, load_point(points.at), {Packet(d.x), Packet(d.y), Packet(d.z)}, all, all);
   store(estimate, at.estimate);
   return bits(at.inside);
 }
@@ -254,13 +254,13 @@ HWY_INLINE unsigned march_one(const Field& f, const Points& points, const Vec3& 
 template <Kind K>
 HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
                           double* depths, Points& points) {
-  const Place origin = load_place(rays.origin), direction = load_place(rays.direction);
+  const PacketPoint origin = load_point(rays.origin), direction = load_point(rays.direction);
   const Packet end = load(interval.end), last = load(interval.last), limit = load(interval.limit);
   const Mask none = Mask::of_bits(0);
   Mask active = Mask::of_bits(active_mask), first = active, again = none, halving = none, in = none, found = none;
   Packet at = load(interval.begin), base(0.0), width(0.0), depth(0.0);
   // Points are carried along, step by step: their bits are not those of the distances.
-  Place place = onward(origin, at, direction), base_place = place, found_place = place;
+  PacketPoint place = onward(origin, at, direction), base_place = place, found_place = place;
   while (bits(active) != 0) {
     const Marched now = march_of<K>(f, place, direction, active, active & ~halving);
     const Mask same = ~(now.inside ^ in);
@@ -272,7 +272,7 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
     in = (in | began_in) & ~(entered & ~now.inside);
     const Mask steps = (began & ~now.inside) | entered | (walked & same), changed = walked & ~same;
     const Mask moved = steps | (halved & same);
-    base = select(moved, at, base), base_place = select_place(moved, place, base_place);
+    base = select(moved, at, base), base_place = select_point(moved, place, base_place);
     width = select(steps, select(now.estimate < f.precision, Packet(f.precision), now.estimate), width);
     // The state changes between base and base + width.
     halving = halving | changed;
@@ -280,18 +280,18 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
     const Mask fine = width > kFine, halves = (halved | changed) & fine, done = (halved | changed) & ~fine;
     width = select(halves, width / 2.0, width);
     const Packet ahead = base + width;
-    const Place place_ahead = onward(base_place, width, direction);
+    const PacketPoint place_ahead = onward(base_place, width, direction);
     if (bits(done) != 0) {
       depth = select(done, select(in, base, ahead), depth);
-      found_place = select_place(done, select_place(in, base_place, place_ahead), found_place);
+      found_place = select_point(done, select_point(in, base_place, place_ahead), found_place);
       found = found | done;
     }
     const Mask onwards = steps | halves;
     if (bits(began_in) != 0) {
       at = select(began_in, at + 2 * kFine, at);
-      place = select_place(began_in, onward(place, Packet(2 * kFine), direction), place);
+      place = select_point(began_in, onward(place, Packet(2 * kFine), direction), place);
     }
-    at = select(onwards, ahead, at), place = select_place(onwards, place_ahead, place);
+    at = select(onwards, ahead, at), place = select_point(onwards, place_ahead, place);
     const Mask useful = (base <= last) & (base <= limit) & (at <= end);
     active &= ~(done | (began_in & (at > end)) | (steps & ~useful));
   }

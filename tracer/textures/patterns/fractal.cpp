@@ -9,15 +9,13 @@ namespace {
 
 #include "tracer/textures/patterns/fractal_orbit.inc"
 
-using Complex = Place<double>;
-
 // Types 2 to 5: a coordinate of the place where an orbit ends, or its square.
-double end_of_orbit(int type, const Complex& z) {
+double end_of_orbit(int type, const Complex<double>& z) {
   const double x = type % 2 == 0 ? z.r : z.i;
   return type < 4 ? x : x * x;
 }
 
-double exterior(const scene::FractalParams& f, const Complex& z, int k) {
+double exterior(const scene::FractalParams& f, const Complex<double>& z, int k) {
   const double factor = f.exterior_factor;
   const auto modulo = [&](double modulus) {
     const int m = static_cast<int>(std::clamp(modulus, -2147483647.0, 2147483647.0));
@@ -44,7 +42,7 @@ double exterior(const scene::FractalParams& f, const Complex& z, int k) {
   }
 }
 
-double interior(const scene::FractalParams& f, const Complex& z, double smallest) {
+double interior(const scene::FractalParams& f, const Complex<double>& z, double smallest) {
   const double a = z.r, b = z.i, factor = f.interior_factor;
   switch (f.interior_type) {
     case 0:
@@ -70,19 +68,20 @@ class Rounds {
  public:
   // How many of `left` iterations change where the orbit ends and what its smallest value is; it is at z after
   // iteration k = 0, 1 ...
-  int needed(const Complex& z, int k, int left) {
+  int needed(const Complex<double>& z, int k, int left) {
     if (z.r == place_.r && z.i == place_.i) return left % (k - at_);
     if (k == next_) place_ = z, at_ = k, next_ = k < (1 << 29) ? 2 * k : 0;
     return left;
   }
 
  private:
-  Complex place_{std::numeric_limits<double>::infinity(), 0};
+  Complex<double> place_{std::numeric_limits<double>::infinity(), 0};
   int at_ = 0, next_ = 1;
 };
 
 template <class Step>
-double follow(const scene::FractalParams& f, const Step& step, Complex z, const Complex& c, double smallest) {
+double follow(const scene::FractalParams& f, const Step& step, Complex<double> z, const Complex<double>& c,
+              double smallest) {
   Rounds rounds;
   int end = f.iterations;
   for (int k = 0; k < end; ++k) {
@@ -97,11 +96,11 @@ double follow(const scene::FractalParams& f, const Step& step, Complex z, const 
 
 // Where the orbit of a point begins, and what is added in each step.
 struct Start {
-  Complex z, c;
+  Complex<double> z, c;
   double smallest;
 };
 Start start(const scene::FractalParams& f, scene::PatternKind kind, double x, double y) {
-  const Complex point{x, y}, julia{f.julia.x, f.julia.y};
+  const Complex<double> point{x, y}, julia{f.julia.x, f.julia.y};
   switch (kind) {
     case scene::PatternKind::mandel:
       return {point, point, squared(point)};
@@ -121,7 +120,7 @@ template <class Step>
 void end(const scene::FractalParams& f, const Step& step, unsigned escaped, const Orbits& o, int count,
          double* values) {
   for (int k = 0; k < count; ++k) {
-    Complex z{o.zr[k], o.zi[k]};
+    Complex<double> z{o.zr[k], o.zi[k]};
     if (escaped >> k & 1) {
       values[k] = exterior(f, z, o.k[k]);
       continue;

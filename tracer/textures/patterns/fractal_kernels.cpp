@@ -31,9 +31,9 @@ HWY_INLINE void leave_to_library(Packet& power, const Mask& known, const Packet&
 
 template <class Step>
 HWY_NOINLINE unsigned follow(const Step& step, int iterations, unsigned active, Orbits& o) {
-  using Places = Place<Packet>;
-  Places z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
-  const Places c{load(o.cr), load(o.ci)};
+  using Points = Complex<Packet>;
+  Points z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
+  const Points c{load(o.cr), load(o.ci)};
   Packet smallest = load(o.smallest);
   const auto keep = [&](unsigned lanes, Orbits& to) VERISIM_INLINE_LAMBDA {
     const Mask here = Mask::of_bits(lanes);

@@ -20,6 +20,7 @@ void read_list(Parser& parser, Normal& normal, int size) {
   };
   normal.normal_map = parse_block_list<scene::NormalPtr>(
       parser, size, Word::normal, absent, [&] { return parse_normal(parser, default_layer(parser).normal); });
+  normal.slope_map = nullptr;                       // also where nothing is listed (spec 05 10.4)
   if (!normal.normal_map) normal.accuracy = 0.02f;  // a height pattern then (spec 05 10.3)
 }
 

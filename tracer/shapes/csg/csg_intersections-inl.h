@@ -240,7 +240,7 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
     const typename Number::Mask near = level & (abs(rise) <= abs(slope)) & (rise * slope >= -1e-300);
     if ((bits(near) & s.open) == 0) continue;
     const Number at = rise / slope;
-    const typename Number::Mask met = near & (slope != 0) & (at >= 0) & (at <= 1);
+    const typename Number::Mask met = near & (abs(slope) > kEpsilon) & (at >= 0) & (at <= 1);
     if ((bits(met) & s.open) == 0) continue;
     const Number t = select(by_x, w.dx * at + w.x - o.x, w.dz * at + w.z - o.z) / run, y = o.y + t * d.y;
     const typename Number::Mask within = met & (y >= prism.low) & (y <= prism.high);

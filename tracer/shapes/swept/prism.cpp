@@ -177,7 +177,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       constant = conic_ ? constant + n0 : nx * (s.c[0].x - o.x) + nz * (s.c[0].y - o.z);
       int n = 0;
       if (s.degree == 1) {
-        if (falling[0] == 0) return;
+        if (std::fabs(falling[0]) <= kEpsilon) return;  // along the wall, or near the tip of a conic sweep
         roots[0] = -constant / falling[0];
         n = 1;
       } else {

@@ -100,32 +100,25 @@ TEST(WidePictures, AreThoseOfRaysThatGoOneByOne) {
   with_each_instruction_set([](Journal& journal) {
     parser::ParseOptions options;
     options.width = kPictureWidth, options.height = kPictureHeight;
-    const SdlTables tables("pictures.sdl"), objects("rays.sdl");
-    for (const auto& [name, sdl] : tables["pictures"]) {
+    const SdlTables pictures("pictures.sdl"), objects("rays.sdl");
+    const auto expect = [&](const SdlTables& tables, const std::string& name, const std::string& sdl,
+                            const std::string& more = "", bool replay = false) {
       SCOPED_TRACE(name);
       journal.begin(name);
-      const scene::Scene scene = tables.scene(sdl, options);
-      expect_the_same(scene, scene, false, journal);
-    }
+      expect_the_same(tables.scene(sdl, options), tables.scene(sdl + more, options), replay, journal);
+    };
+    for (const auto& [name, sdl] : pictures["pictures"]) expect(pictures, name, sdl);
     // A clear ball around an area light changes nothing but that rays are asked one by one what they meet; --replay has
     // one sample of the light after another, each quarter summed.
-    for (const auto& [name, sdl] : tables["lights"]) {
-      if (!sdl.starts_with("area_light")) continue;
-      SCOPED_TRACE(name);
-      journal.begin(name);
-      const std::string text = "Penumbras() light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }";
-      const bool replay = sdl.find("jitter") == std::string::npos;
-      expect_the_same(tables.scene(text, options), tables.scene(text + " ClearBall()", options), replay, journal);
-    }
+    for (const auto& [name, sdl] : pictures["lights"])
+      if (sdl.starts_with("area_light"))
+        expect(pictures, name, "Penumbras() light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }", "ClearBall()",
+               sdl.find("jitter") == std::string::npos);
     // All objects, few, and below skies that let light through.
-    const std::size_t all = objects["objects"].size();
-    for (const std::string& sdl : {crowd_of(objects, 0, all, 0, false), crowd_of(objects, 20, 2, 0, false),
-                                   crowd_of(objects, 0, 15, 100, false), crowd_of(objects, 30, 30, 5, true)}) {
-      SCOPED_TRACE(sdl);
-      journal.begin("crowd of " + std::to_string(sdl.size()));
-      const scene::Scene scene = objects.scene(sdl, options);
-      expect_the_same(scene, scene, false, journal);
-    }
+    expect(objects, "all", crowd_of(objects, 0, objects["objects"].size(), 0, false));
+    expect(objects, "two", crowd_of(objects, 20, 2, 0, false));
+    expect(objects, "balls", crowd_of(objects, 0, 15, 100, false));
+    expect(objects, "skies", crowd_of(objects, 30, 30, 5, true));
   });
 }
 

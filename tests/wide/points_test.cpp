@@ -126,28 +126,33 @@ TEST(WidePoints, HaveTheNormalsOfEachPoint) {
   });
 }
 
-TEST(WidePoints, HaveTheDensitiesOfEachPoint) {
+TEST(WidePoints, HaveTheDensitiesAndTurbulenceOfEachPoint) {
   with_each_instruction_set([](Journal& journal) {
     const SdlTables tables("points.sdl");
     journal.begin("densities");
     const scene::Scene scene = tables.scene("media { " + tables["densities"][0].sdl + " }");
     textures::Compiler compiler{textures::Settings{}};
     const global::CompiledMedia media = global::compile_media(scene.atmosphere.at(0), compiler);
+    const textures::Octaves octaves[] = {{6, 2, 0.5}, {10, 2.17, 0.63}, {1, 3, 0.1}};
     int none = 0, some = 0;
     for (int round = 0; round < 200; ++round) {
       const RandomPoints p(round);
       textures::RgbBatch found;
       global::media_densities(media, p.count, p.points, found);
+      alignas(64) double turbulence[PointBatch::kMax];
+      textures::turbulence(1 + round % 3, p.count, p.points, octaves[round / 3 % 3], turbulence);
       for (int i = 0; i < p.count; ++i) {
+        const Vec3 at = p.points.at(i);
         Rgb product(1.0f);  // nothing left out
         for (const textures::CompiledPigment* density : media.densities) {
           Color color;
-          textures::evaluate(*density, p.points.at(i), nullptr, color);
+          textures::evaluate(*density, at, nullptr, color);
           product *= color.rgb();
         }
         ASSERT_EQ(Rgb(found.r[i], found.g[i], found.b[i]), product) << round << ' ' << i;
-        ASSERT_EQ(global::media_density(media, p.points.at(i)), product) << round << ' ' << i;
-        journal.add(product.g);
+        ASSERT_EQ(global::media_density(media, at), product) << round << ' ' << i;
+        ASSERT_EQ(turbulence[i], textures::turbulence(at, octaves[round / 3 % 3], 1 + round % 3)) << round << ' ' << i;
+        journal.add(product.g), journal.add(turbulence[i]);
         ++(product == Rgb() ? none : some);
       }
     }
@@ -158,57 +163,39 @@ TEST(WidePoints, HaveTheDensitiesOfEachPoint) {
 TEST(WidePoints, AreLitAsEachPointIs) {
   with_each_instruction_set([](Journal& journal) {
     const SdlTables tables("pictures.sdl");
-    const auto rays = std::make_unique<RayBatch>();
-    const auto places = std::make_unique<shading::GridPlaces>();
-    double distance[RayBatch::kSize], attenuation[RayBatch::kSize];
+    RayBatch rays;
+    shading::GridPlaces places;
+    double distance[RayBatch::kSize], left[RayBatch::kSize];
     int kinds[3] = {};  // dark, dim, bright
     for (const auto& [name, sdl] : tables["lights"]) {
       SCOPED_TRACE(name);
       journal.begin(name);
       const scene::Scene scene = tables.scene("light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }");
       const shading::Light light(*std::get<scene::Boxed<scene::LightSource>>(scene.objects.at(0)->shape), true);
-      const auto falloff = shading::LightFalloff::of(light);
+      const auto expect = [&](int i, const shading::LightDirection& alone) {
+        ASSERT_TRUE(rays.direction.at(i) == alone.towards && distance[i] == alone.distance) << i;
+        journal.add(alone.towards), journal.add(alone.distance);
+      };
       for (int round = 0; round < 60; ++round) {
         RandomPoints p(round);
-        for (int i = 0; i < p.count; ++i) rays->origin.set(i, p.vector(9)), places->u[i] = p.vector(5).x;
-        for (int i = 0; i < p.count; ++i) places->v[i] = p.vector(5).x;
-        shading::aim_at(light, p.count, *rays, distance);
-        if (falloff) falloff->attenuate(rays->direction, distance, p.count, attenuation);
+        for (int i = 0; i < p.count; ++i) rays.origin.set(i, p.vector(9));
+        shading::aim_at(light, p.count, rays, distance);
+        shading::LightFalloff::of(light)->attenuate(rays.direction, distance, p.count, left);
         for (int i = 0; i < p.count; ++i) {
-          const shading::LightDirection alone = light.direction(rays->origin.at(i));
-          ASSERT_TRUE(rays->direction.at(i) == alone.towards && distance[i] == alone.distance) << round << ' ' << i;
-          const double left = light.attenuation(rays->origin.at(i), alone);
-          ASSERT_EQ(falloff ? attenuation[i] : left, left) << round << ' ' << i;
-          journal.add(alone.towards), journal.add(alone.distance), journal.add(left);
-          ++kinds[falloff && left > 0 ? 1 + (left == 1) : 0];
+          const Vec3 at = rays.origin.at(i);
+          expect(i, light.direction(at));
+          ASSERT_EQ(left[i], light.attenuation(at, light.direction(at))) << round << ' ' << i;
+          journal.add(left[i]), ++kinds[left[i] > 0 ? 1 + (left[i] == 1) : 0];
         }
-        const Vec3 from = rays->origin.at(0);
-        const shading::Light::Axes axes = light.axes(rays->direction.at(0));
-        shading::aim_at_grid(light, axes, from, *places, p.count, *rays, distance);
-        for (int i = 0; i < p.count; ++i) {
-          const auto alone = light.direction(from, light.offset(axes, places->u[i], places->v[i]));
-          ASSERT_TRUE(rays->direction.at(i) == alone.towards && distance[i] == alone.distance) << round << ' ' << i;
-        }
+        const Vec3 from = rays.origin.at(0);
+        const shading::Light::Axes axes = light.axes(rays.direction.at(0));
+        for (int i = 0; i < p.count; ++i) places.u[i] = p.vector(5).x, places.v[i] = p.vector(5).y;
+        shading::aim_at_grid(light, axes, from, places, p.count, rays, distance);
+        for (int i = 0; i < p.count; ++i)
+          expect(i, light.direction(from, light.offset(axes, places.u[i], places.v[i])));
       }
     }
-    for (const int found : kinds) EXPECT_GT(found, 1000);
-  });
-}
-
-TEST(WidePoints, HaveTheTurbulenceOfEachPoint) {
-  with_each_instruction_set([](Journal& journal) {
-    const textures::Octaves octaves[] = {{6, 2, 0.5}, {10, 2.17, 0.63}, {1, 3, 0.1}};
-    for (int round = 0; round < 60; ++round) {
-      journal.begin("round " + std::to_string(round));
-      const RandomPoints p(round);
-      alignas(64) double values[PointBatch::kMax];
-      textures::turbulence(1 + round % 3, p.count, p.points, octaves[round / 3 % 3], values);
-      for (int i = 0; i < p.count; ++i) {
-        const double alone = textures::turbulence(p.points.at(i), octaves[round / 3 % 3], 1 + round % 3);
-        ASSERT_EQ(values[i], alone) << round << ' ' << i;
-        journal.add(alone);
-      }
-    }
+    for (const int met : kinds) EXPECT_GT(met, 1000);
   });
 }
 

@@ -75,34 +75,23 @@ TEST_F(SameBytes, FramesOfAnAnimationInOneCallOrInSeveral) {
   EXPECT_TRUE(text_of(folder_ / "scene3.png") == third);
 }
 
+// What kernels give with each of them is compared in tests/wide.
 TEST_F(SameBytes, WithEveryInstructionSet) {
-  file("kinds.pov",
-       "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,3,-6> look_at 0 }\n"
-       "light_source { <3,4,-9> rgb 1 area_light x, y, 3, 3 }\n"
-       "#declare f_noise3d = function { internal(76) }\n"
-       "#declare F = function(x, y, z) { x*x + y*y + z*z - 1 + 0.2*sin(9*x)*cos(7*y) + f_noise3d(x*5, y*5, z*5)*0.2 }\n"
-       "isosurface { function { F(x, y, z) } contained_by { sphere { 0, 1.4 } } max_gradient 6 translate -1.5*x\n"
-       "  pigment { granite color_map { [0 rgb 1] [1 rgb <1,0,0>] } } finish { phong 1 } }\n"
-       "height_field { function 32, 32 { pattern { bozo turbulence 1 scale 0.3 } } smooth translate -y\n"
-       "  pigment { crackle } normal { wrinkles 1 } }\n"
-       "difference { sphere { <1.5,0,0>, 1 } box { <1,0,-2>, <3,2,0> } torus { 1, 0.3 translate 1.5*x }\n"
-       "  pigment { marble turbulence 0.5 } }\n"
-       "plane { y, -1 pigment { wood turbulence 0.2 warp { turbulence 0.5 } } }\n");
-  const std::vector<std::string> render{"render", "kinds.pov", "+W60", "+H40", "+A0.1", "--output", "kinds.png"};
-  ASSERT_EQ(run(render).status, 0);
-  const std::string best = text_of(folder_ / "kinds.png");
-  for (const char* set : {"baseline", "sse4", "avx2", "avx512"}) {
+  const auto ended_with = [this](const char* set) {
     ::setenv("VERISIM_INSTRUCTION_SET", set, 1);
-    const Ended ended = run(render);
-    if (ended.status != 0) {
+    const Ended ended = run({"render", "scene.pov", "+W60", "+H40", "+A0.1"});
+    ::unsetenv("VERISIM_INSTRUCTION_SET");
+    return ended;
+  };
+  ASSERT_EQ(ended_with("baseline").status, 0);
+  const std::string expected = text_of(folder_ / "scene.png");
+  for (const char* set : {"sse4", "avx2", "avx512"}) {
+    if (const Ended ended = ended_with(set); ended.status != 0)
       EXPECT_NE(ended.errors.find("this machine can run baseline"), std::string::npos) << ended.errors;
-      continue;
-    }
-    EXPECT_TRUE(text_of(folder_ / "kinds.png") == best) << set;
+    else
+      EXPECT_TRUE(text_of(folder_ / "scene.png") == expected) << set;
   }
-  ::setenv("VERISIM_INSTRUCTION_SET", "mmx", 1);
-  const Ended wrong = run(render);
-  ::unsetenv("VERISIM_INSTRUCTION_SET");
+  const Ended wrong = ended_with("mmx");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_NE(wrong.errors.find("VERISIM_INSTRUCTION_SET is 'mmx'"), std::string::npos) << wrong.errors;
 }

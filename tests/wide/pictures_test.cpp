@@ -3,8 +3,7 @@
 
 #include <random>
 
-#include "tests/wide/each_instruction_set.h"
-#include "tests/wide/sdl_tables.h"
+#include "tests/wide/harness.h"
 #include "tracer/render/prepared_scene.h"
 #include "tracer/shading/explain.h"
 
@@ -17,10 +16,10 @@ constexpr int kPictureWidth = 48, kPictureHeight = 36;
 
 // One way to trace a scene's rays; each has a cache of radiosity of its own.
 struct TracedWay {
-  explicit TracedWay(const scene::Scene& scene, shading::Observer* observer)
+  explicit TracedWay(const scene::Scene& scene, shading::Observer* observer = nullptr, bool replay = false)
       : prepared(scene, options_of()),
         camera(prepared.camera(options_of())),
-        tracer(prepared.data(), RandomSource(false, 0)),
+        tracer(prepared.data(), RandomSource(replay, 0)),
         sampler((prepared.run_prepasses(camera, options_of(), 1), camera), tracer) {
     tracer.coherent().set_camera(camera.coherence);
     tracer.set_observer(observer);
@@ -49,10 +48,11 @@ void expect_the_same_rays(const render::Statistics& a, const render::Statistics&
   EXPECT_EQ(a.transmitted_rays, b.transmitted_rays);
 }
 
-// Rows of pixels and places anywhere; `watched` does everything one by one, `alone` what hangs on one camera ray.
-void expect_the_same(const scene::Scene& scene, Journal& journal) {
+// Rows of pixels and places anywhere; `watched` does everything one by one, `alone` what hangs on one camera ray: both
+// in a scene that shows the same, the former perhaps with --replay.
+void expect_the_same(const scene::Scene& scene, const scene::Scene& other, bool replay, Journal& journal) {
   shading::Observer watching;
-  TracedWay together(scene, nullptr), alone(scene, nullptr), watched(scene, &watching);
+  TracedWay watched(other, &watching, replay), together(scene), alone(other);
   const auto compare = [&](const Vec2& place, const Color& color) {
     const Color each = watched.sampler(place.x, place.y);
     ASSERT_TRUE(color == each) << place;
@@ -83,16 +83,42 @@ void expect_the_same(const scene::Scene& scene, Journal& journal) {
   EXPECT_EQ(watched.tracer.statistics().wavefront_rays, 0u);
 }
 
+std::string crowd_of(const SdlTables& tables, std::size_t from, std::size_t count, int balls, bool skies) {
+  std::string sdl =
+      "camera { location <0,.5,-6> } light_source { <4,9,-9>, 1 } light_source { <-9,2,1>, .6 }"
+      "#macro M() #end #declare S = seed(3); #macro V() 6*(<rand(S),rand(S),rand(S)>-.5) #end\n";
+  for (std::size_t i = from; i < from + count; ++i)
+    sdl += "union { " + tables["objects"][i].sdl + " rotate 99*V() scale .6 translate V() pigment { rgbt <1,1,1," +
+           (i % 6 == 0 ? ".5" : "0") + "> } }\n";
+  sdl += "#for (I, 1, " + std::to_string(balls) +
+         ") sphere { V(), .3 pigment { rgbt <1,1,1,select(mod(I,20),0,.5,0)> } } #end\n";
+  if (skies) sdl += "sphere { 0, 99 hollow pigment { rgbt .5 } } plane { y, -70 hollow pigment { rgbt .9 } }";
+  return sdl;
+}
+
 TEST(WidePictures, AreThoseOfRaysThatGoOneByOne) {
   with_each_instruction_set([](Journal& journal) {
     parser::ParseOptions options;
     options.width = kPictureWidth, options.height = kPictureHeight;
-    const SdlTables tables("pictures.sdl");
-    for (const auto& [name, sdl] : tables["pictures"]) {
+    const SdlTables pictures("pictures.sdl"), objects("rays.sdl");
+    const auto expect = [&](const SdlTables& tables, const std::string& name, const std::string& sdl,
+                            const std::string& more = "", bool replay = false) {
       SCOPED_TRACE(name);
       journal.begin(name);
-      expect_the_same(tables.scene(sdl, options), journal);
-    }
+      expect_the_same(tables.scene(sdl, options), tables.scene(sdl + more, options), replay, journal);
+    };
+    for (const auto& [name, sdl] : pictures["pictures"]) expect(pictures, name, sdl);
+    // A clear ball around an area light changes nothing but that rays are asked one by one what they meet; --replay has
+    // one sample of the light after another, each quarter summed.
+    for (const auto& [name, sdl] : pictures["lights"])
+      if (sdl.starts_with("area_light"))
+        expect(pictures, name, "Penumbras() light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }", "ClearBall()",
+               sdl.find("jitter") == std::string::npos);
+    // All objects, few, and below skies that let light through.
+    expect(objects, "all", crowd_of(objects, 0, objects["objects"].size(), 0, false));
+    expect(objects, "two", crowd_of(objects, 20, 2, 0, false));
+    expect(objects, "balls", crowd_of(objects, 0, 15, 100, false));
+    expect(objects, "skies", crowd_of(objects, 30, 30, 5, true));
   });
 }
 

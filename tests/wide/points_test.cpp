@@ -1,11 +1,12 @@
-// Textures of many points at once are those of each point alone, to the last bit.
+// Textures, densities and lights of many points at once are those of each point alone, to the last bit.
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "tests/wide/each_instruction_set.h"
-#include "tests/wide/sdl_tables.h"
+#include "tests/wide/harness.h"
 #include "tracer/functions/function.h"
+#include "tracer/lights/light_falloff.h"
+#include "tracer/media/media.h"
 #include "tracer/noise/noise.h"
 #include "tracer/textures/point_batch.h"
 #include "tracer/textures/texture.h"
@@ -71,41 +72,27 @@ void expect_the_same(const Function& function, int round, Journal& journal) {
   }
 }
 
-TEST(WidePoints, HaveThePigmentsOfEachPoint) {
+TEST(WidePoints, HaveThePigmentsAndFunctionsOfEachPoint) {
   with_each_instruction_set([](Journal& journal) {
     const SdlTables tables("points.sdl");
-    const std::vector<SdlLine>& modifiers_of_all = tables["modifiers"];
+    textures::Compiler compiler{textures::Settings{}};
     for (const auto& [name, pattern] : tables["patterns"]) {
       const bool has_list = pattern.find("Dark") != std::string::npos || pattern.starts_with("image_map");
-      std::string sdl;
-      for (const auto& [written, modifiers] : modifiers_of_all) {
+      const bool needs_surface = pattern.starts_with("slope") || pattern == "aoi";
+      for (const auto& [written, modifiers] : tables["modifiers"]) {
         const std::size_t end = modifiers.find(' ');
-        const std::string map = modifiers.substr(0, end), rest = end < modifiers.size() ? modifiers.substr(end) : "";
-        sdl += "sphere { 0, 1 pigment { " + pattern + ' ' + (has_list ? "" : map + "()") + rest + " } }\n";
+        const std::string map = has_list ? "" : modifiers.substr(0, end) + "()",
+                          sdl = pattern + ' ' + map + (end < modifiers.size() ? modifiers.substr(end) : "");
+        SCOPED_TRACE(sdl);
+        journal.begin(sdl);
+        const scene::Scene scene = tables.scene("sphere { 0, 1 pigment { " + sdl + " } }");
+        const scene::PigmentPtr& pigment = scene.objects.at(0)->texture->layers.at(0).pigment;
+        const FunctionPtr function = textures::pigment_function(pigment, textures::Settings{});
+        for (int round = 0; round < 12; ++round) {
+          expect_the_same(*compiler.pigment(pigment), round, journal);
+          if (!needs_surface && round < 6) expect_the_same(*function, round, journal);
+        }
       }
-      const scene::Scene scene = tables.scene(sdl);
-      textures::Compiler compiler{textures::Settings{}};
-      for (std::size_t i = 0; i < modifiers_of_all.size(); ++i) {
-        SCOPED_TRACE(pattern + ' ' + modifiers_of_all[i].name);
-        journal.begin(pattern + ' ' + modifiers_of_all[i].name);
-        const scene::PigmentPtr& pigment = scene.objects.at(i)->texture->layers.at(0).pigment;
-        for (int round = 0; round < 12; ++round) expect_the_same(*compiler.pigment(pigment), round, journal);
-      }
-    }
-  });
-}
-
-TEST(WidePoints, HaveTheFunctionsOfEachPoint) {
-  with_each_instruction_set([](Journal& journal) {
-    const SdlTables tables("points.sdl");
-    for (const auto& [name, pattern] : tables["patterns"]) {
-      if (pattern.find("slope") == 0 || pattern == "aoi") continue;
-      SCOPED_TRACE(pattern);
-      journal.begin(pattern);
-      const scene::Scene scene = tables.scene("sphere { 0, 1 pigment { " + pattern + " rotate <9,8,7> } }");
-      const FunctionPtr function =
-          textures::pigment_function(scene.objects.at(0)->texture->layers.at(0).pigment, textures::Settings{});
-      for (int round = 0; round < 9; ++round) expect_the_same(*function, round, journal);
     }
   });
 }
@@ -139,20 +126,76 @@ TEST(WidePoints, HaveTheNormalsOfEachPoint) {
   });
 }
 
-TEST(WidePoints, HaveTheTurbulenceOfEachPoint) {
+TEST(WidePoints, HaveTheDensitiesAndTurbulenceOfEachPoint) {
   with_each_instruction_set([](Journal& journal) {
+    const SdlTables tables("points.sdl");
+    journal.begin("densities");
+    const scene::Scene scene = tables.scene("media { " + tables["densities"][0].sdl + " }");
+    textures::Compiler compiler{textures::Settings{}};
+    const global::CompiledMedia media = global::compile_media(scene.atmosphere.at(0), compiler);
     const textures::Octaves octaves[] = {{6, 2, 0.5}, {10, 2.17, 0.63}, {1, 3, 0.1}};
-    for (int round = 0; round < 60; ++round) {
-      journal.begin("round " + std::to_string(round));
+    int none = 0, some = 0;
+    for (int round = 0; round < 200; ++round) {
       const RandomPoints p(round);
-      alignas(64) double values[PointBatch::kMax];
-      textures::turbulence(1 + round % 3, p.count, p.points, octaves[round / 3 % 3], values);
+      textures::RgbBatch found;
+      global::media_densities(media, p.count, p.points, found);
+      alignas(64) double turbulence[PointBatch::kMax];
+      textures::turbulence(1 + round % 3, p.count, p.points, octaves[round / 3 % 3], turbulence);
       for (int i = 0; i < p.count; ++i) {
-        const double alone = textures::turbulence(p.points.at(i), octaves[round / 3 % 3], 1 + round % 3);
-        ASSERT_EQ(values[i], alone) << round << ' ' << i;
-        journal.add(alone);
+        const Vec3 at = p.points.at(i);
+        Rgb product(1.0f);  // nothing left out
+        for (const textures::CompiledPigment* density : media.densities) {
+          Color color;
+          textures::evaluate(*density, at, nullptr, color);
+          product *= color.rgb();
+        }
+        ASSERT_EQ(Rgb(found.r[i], found.g[i], found.b[i]), product) << round << ' ' << i;
+        ASSERT_EQ(global::media_density(media, at), product) << round << ' ' << i;
+        ASSERT_EQ(turbulence[i], textures::turbulence(at, octaves[round / 3 % 3], 1 + round % 3)) << round << ' ' << i;
+        journal.add(product.g), journal.add(turbulence[i]);
+        ++(product == Rgb() ? none : some);
       }
     }
+    EXPECT_GT(std::min(none, some), 1000);
+  });
+}
+
+TEST(WidePoints, AreLitAsEachPointIs) {
+  with_each_instruction_set([](Journal& journal) {
+    const SdlTables tables("pictures.sdl");
+    RayBatch rays;
+    shading::GridPlaces places;
+    double distance[RayBatch::kSize], left[RayBatch::kSize];
+    int kinds[3] = {};  // dark, dim, bright
+    for (const auto& [name, sdl] : tables["lights"]) {
+      SCOPED_TRACE(name);
+      journal.begin(name);
+      const scene::Scene scene = tables.scene("light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }");
+      const shading::Light light(*std::get<scene::Boxed<scene::LightSource>>(scene.objects.at(0)->shape), true);
+      const auto expect = [&](int i, const shading::LightDirection& alone) {
+        ASSERT_TRUE(rays.direction.at(i) == alone.towards && distance[i] == alone.distance) << i;
+        journal.add(alone.towards), journal.add(alone.distance);
+      };
+      for (int round = 0; round < 60; ++round) {
+        RandomPoints p(round);
+        for (int i = 0; i < p.count; ++i) rays.origin.set(i, p.vector(9));
+        shading::aim_at(light, p.count, rays, distance);
+        shading::LightFalloff::of(light)->attenuate(rays.direction, distance, p.count, left);
+        for (int i = 0; i < p.count; ++i) {
+          const Vec3 at = rays.origin.at(i);
+          expect(i, light.direction(at));
+          ASSERT_EQ(left[i], light.attenuation(at, light.direction(at))) << round << ' ' << i;
+          journal.add(left[i]), ++kinds[left[i] > 0 ? 1 + (left[i] == 1) : 0];
+        }
+        const Vec3 from = rays.origin.at(0);
+        const shading::Light::Axes axes = light.axes(rays.direction.at(0));
+        for (int i = 0; i < p.count; ++i) places.u[i] = p.vector(5).x, places.v[i] = p.vector(5).y;
+        shading::aim_at_grid(light, axes, from, places, p.count, rays, distance);
+        for (int i = 0; i < p.count; ++i)
+          expect(i, light.direction(from, light.offset(axes, places.u[i], places.v[i])));
+      }
+    }
+    for (const int met : kinds) EXPECT_GT(met, 1000);
   });
 }
 

@@ -3,7 +3,8 @@
 
 #include <random>
 
-#include "tests/wide/harness.h"
+#include "tests/wide/each_instruction_set.h"
+#include "tests/wide/sdl_tables.h"
 #include "tracer/render/prepared_scene.h"
 #include "tracer/shading/explain.h"
 
@@ -83,42 +84,24 @@ void expect_the_same(const scene::Scene& scene, const scene::Scene& other, bool 
   EXPECT_EQ(watched.tracer.statistics().wavefront_rays, 0u);
 }
 
-std::string crowd_of(const SdlTables& tables, std::size_t from, std::size_t count, int balls, bool skies) {
-  std::string sdl =
-      "camera { location <0,.5,-6> } light_source { <4,9,-9>, 1 } light_source { <-9,2,1>, .6 }"
-      "#macro M() #end #declare S = seed(3); #macro V() 6*(<rand(S),rand(S),rand(S)>-.5) #end\n";
-  for (std::size_t i = from; i < from + count; ++i)
-    sdl += "union { " + tables["objects"][i].sdl + " rotate 99*V() scale .6 translate V() pigment { rgbt <1,1,1," +
-           (i % 6 == 0 ? ".5" : "0") + "> } }\n";
-  sdl += "#for (I, 1, " + std::to_string(balls) +
-         ") sphere { V(), .3 pigment { rgbt <1,1,1,select(mod(I,20),0,.5,0)> } } #end\n";
-  if (skies) sdl += "sphere { 0, 99 hollow pigment { rgbt .5 } } plane { y, -70 hollow pigment { rgbt .9 } }";
-  return sdl;
-}
-
 TEST(WidePictures, AreThoseOfRaysThatGoOneByOne) {
   with_each_instruction_set([](Journal& journal) {
     parser::ParseOptions options;
     options.width = kPictureWidth, options.height = kPictureHeight;
-    const SdlTables pictures("pictures.sdl"), objects("rays.sdl");
-    const auto expect = [&](const SdlTables& tables, const std::string& name, const std::string& sdl,
-                            const std::string& more = "", bool replay = false) {
+    const SdlTables tables("pictures.sdl");
+    const auto expect = [&](const std::string& name, const std::string& sdl, const std::string& more = "",
+                            bool replay = false) {
       SCOPED_TRACE(name);
       journal.begin(name);
       expect_the_same(tables.scene(sdl, options), tables.scene(sdl + more, options), replay, journal);
     };
-    for (const auto& [name, sdl] : pictures["pictures"]) expect(pictures, name, sdl);
+    for (const auto& [name, sdl] : tables["pictures"]) expect(name, sdl);
     // A clear ball around an area light changes nothing but that rays are asked one by one what they meet; --replay has
     // one sample of the light after another, each quarter summed.
-    for (const auto& [name, sdl] : pictures["lights"])
+    for (const auto& [name, sdl] : tables["lights"])
       if (sdl.starts_with("area_light"))
-        expect(pictures, name, "Penumbras() light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }", "ClearBall()",
+        expect(name, "Penumbras() light_source { <2,6,-1>, <1,.8,.6> " + sdl + " }", "ClearBall()",
                sdl.find("jitter") == std::string::npos);
-    // All objects, few, and below skies that let light through.
-    expect(objects, "all", crowd_of(objects, 0, objects["objects"].size(), 0, false));
-    expect(objects, "two", crowd_of(objects, 20, 2, 0, false));
-    expect(objects, "balls", crowd_of(objects, 0, 15, 100, false));
-    expect(objects, "skies", crowd_of(objects, 30, 30, 5, true));
   });
 }
 

@@ -3,7 +3,8 @@
 
 #include <random>
 
-#include "tests/wide/harness.h"
+#include "tests/wide/each_instruction_set.h"
+#include "tests/wide/sdl_tables.h"
 #include "tracer/functions/function.h"
 #include "tracer/lights/light_falloff.h"
 #include "tracer/media/media.h"
@@ -180,7 +181,7 @@ TEST(WidePoints, AreLitAsEachPointIs) {
         RandomPoints p(round);
         for (int i = 0; i < p.count; ++i) rays.origin.set(i, p.vector(9));
         shading::aim_at(light, p.count, rays, distance);
-        shading::LightFalloff::of(light)->attenuate(rays.direction, distance, p.count, left);
+        shading::LightFalloff::of(light).value().attenuate(rays.direction, distance, p.count, left);
         for (int i = 0; i < p.count; ++i) {
           const Vec3 at = rays.origin.at(i);
           expect(i, light.direction(at));

@@ -6,8 +6,10 @@
 #include <memory>
 #include <random>
 
-#include "tests/wide/harness.h"
-#include "tracer/shapes/shape.h"
+#include "tests/wide/each_instruction_set.h"
+#include "tests/wide/sdl_tables.h"
+#include "tracer/bvh/shaft.h"
+#include "tracer/world/world.h"
 
 namespace verisim::test {
 namespace {
@@ -140,6 +142,71 @@ TEST(WideRays, MeetRandomTreesOfSolidsAndBlobsAsTheyMeetThemAlone) {
       expect_the_same(*shapes::compile(*scene.objects.at(0)), 150, met, journal);
     }
     EXPECT_GT(met, 40000);
+  });
+}
+
+// Batches of rays through one tile of a camera's picture, in a world of all objects, of few, and below skies that let
+// light through.
+std::string crowd_of(std::size_t from, std::size_t count, int balls, bool skies) {
+  std::string sdl = "#macro M() #end #declare S = seed(3); #macro V() 6*(<rand(S),rand(S),rand(S)>-.5) #end\n";
+  for (std::size_t i = from; i < from + count; ++i)
+    sdl += "union { " + tables()["objects"][i].sdl + " rotate 99*V() scale .6 translate V() pigment { rgbt <1,1,1," +
+           (i % 6 == 0 ? ".5" : "0") + "> } }\n";
+  sdl += "#for (I, 1, " + std::to_string(balls) +
+         ") sphere { V(), .3 pigment { rgbt <1,1,1,select(mod(I,20),0,.5,0)> } } #end\n";
+  if (skies) sdl += "sphere { 0, 99 hollow pigment { rgbt .5 } } plane { y, -70 hollow pigment { rgbt .9 } }";
+  return sdl;
+}
+
+TEST(WideRays, MeetAWorldAsTheyMeetItAlone) {
+  const std::size_t all = tables()["objects"].size();
+  with_each_instruction_set([all](Journal& journal) {
+    for (const std::string& sdl : {crowd_of(0, all, 0, false), crowd_of(20, 2, 0, false), crowd_of(0, 15, 100, false),
+                                   crowd_of(30, 30, 5, true)}) {
+      journal.begin("world of " + std::to_string(sdl.size()));
+      const scene::Scene scene = scene_of(sdl);
+      textures::Compiler compiler{textures::Settings{}};
+      const accel::World world(scene, compiler);
+      RandomRays random;
+      std::uniform_real_distribution<double> u(-1, 1);
+      RayBatch& rays = *random.rays;
+      int found_rays = 0, blocked_rays = 0, beyond = 0;
+      for (int round = 0; round < 300; ++round) {
+        const Vec3 eye = normalize(random.vector(1)) * 6.0, size(20 + round % 3 * 100),
+                   target = eye + (random.vector(0.3) - eye) * 1e3;  // behind everything: rays end there
+        accel::WorldEntry entry;
+        world.enter(*accel::Shaft::between(Box3(eye, eye), Box3(target - size, target + size)), entry);
+        const int first = round % 5, count = 1 + round % 20;
+        double limits[RayBatch::kSize] = {};
+        for (int i = first; i < first + count; ++i) {
+          const Vec3 to = target + size * Vec3(u(random.random), u(random.random), u(random.random));
+          rays.origin.set(i, eye), rays.direction.set(i, normalize(to - eye));
+          limits[i] = 3 + 5 * (1 + u(random.random));
+        }
+        accel::WorldEntry* const known = round % 4 == 0 ? nullptr : &entry;
+        constexpr auto kKind = shapes::RayKind::camera;
+        shapes::Hit hits[RayBatch::kMax], hits_before[RayBatch::kMax], alone;
+        bool found[RayBatch::kMax], found_before[RayBatch::kMax], blocked[RayBatch::kMax] = {};
+        world.intersect_batch(rays, first, count, kKind, 1e-4, known, hits, found);
+        world.intersect_batch(rays, first, count, kKind, 1e-4, known, hits_before, found_before, limits);
+        world.occluded_batch(rays, first, count, 1e-3, limits, known, blocked);
+        for (int i = first; i < first + count; ++i) {
+          ASSERT_EQ(found[i], world.intersect(rays.at(i), kKind, 1e-4, kInfinity, alone)) << round << ' ' << i;
+          if (found[i]) {
+            ASSERT_TRUE(same_hit(hits[i], alone)) << round << ' ' << i;
+            note(journal, alone);
+          }
+          ASSERT_EQ(found_before[i], world.intersect(rays.at(i), kKind, 1e-4, limits[i], alone));
+          ASSERT_TRUE(!found_before[i] || same_hit(hits_before[i], alone));
+          ASSERT_EQ(blocked[i], world.occluded(rays.at(i), 1e-3, limits[i])) << round << ' ' << i;
+          journal.add(blocked[i]);
+          found_rays += found[i], blocked_rays += blocked[i], beyond += found[i] && !found_before[i];
+        }
+      }
+      EXPECT_GT(found_rays, 80);
+      EXPECT_GT(blocked_rays, 50);
+      EXPECT_GT(beyond, 10);
+    }
   });
 }
 

@@ -1,55 +1,46 @@
 // What is computed many at a time is compared with what is computed alone, with every instruction set of this machine.
-// It is SDL in files beside the tests: what all scenes begin with, then tables, each below `== its name`. A line of a
-// table is `name | SDL`, or SDL alone, which then is the name, too; lines that are indented continue it.
 #pragma once
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "parser/parse.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::test {
-
-struct SdlLine {
-  std::string name, sdl;
-};
-
-class SdlTables {
- public:
-  // `file`: its name in tests/wide.
-  explicit SdlTables(const std::string& file);
-  const std::vector<SdlLine>& operator[](const std::string& table) const { return tables_.at(table); }
-  // What they begin with, and `sdl`. Throws what is wrong with it.
-  scene::Scene scene(const std::string& sdl, const parser::ParseOptions& options = {}) const;
-
- private:
-  std::string prelude_;
-  std::map<std::string, std::vector<SdlLine>> tables_;
-};
 
 // What one run found, in few bits: to be the same with every instruction set.
 class Journal {
  public:
   // What follows belongs to this.
-  void begin(const std::string& label) { entries_.emplace_back(label, 0xcbf29ce484222325u); }
-  // Which NaN it is may differ.
-  void add(double value) { add_bits(std::isnan(value) ? 0x7ff8000000000000u : std::bit_cast<std::uint64_t>(value)); }
+  void begin(const std::string& label) { entries_.push_back({label, 0xcbf29ce484222325u}); }
+  template <class T>
+  void add(T value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      // Which NaN it is may differ.
+      add_bits(std::isnan(value) ? 0x7ff8000000000000u : std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+    } else {
+      add_bits(static_cast<std::uint64_t>(value));
+    }
+  }
   void add(const Vec3& v) { add(v.x), add(v.y), add(v.z); }
   // A line for each label.
   std::string text() const;
 
  private:
   void add_bits(std::uint64_t bits) {
-    std::uint64_t& hash = entries_.back().second;
+    std::uint64_t& hash = entries_.back().hash;
     hash = (hash ^ bits) * 0x100000001b3u, hash ^= hash >> 29;
   }
-  std::vector<std::pair<std::string, std::uint64_t>> entries_;
+  struct Entry {
+    std::string label;
+    std::uint64_t hash;
+  };
+  std::vector<Entry> entries_;
 };
 
 // Runs `body`, and for each narrower instruction set this very test once more in a process of its own, where kernels

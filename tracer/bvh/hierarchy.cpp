@@ -257,9 +257,9 @@ bool Hierarchy::comes_to(const Slabs& slabs, std::uint32_t entry, double& key) c
   return nodes_[root_].infinite || slabs.enters(nodes_[root_].bounds, own);
 }
 
-bool Hierarchy::reaches(const Ray& ray, std::uint32_t entry) const {
+bool Hierarchy::reaches(const Ray& ray, std::uint32_t entry, double best) const {
   double key;
-  return comes_to(Slabs(ray), entry, key);
+  return comes_to(Slabs(ray), entry, key) && !(key > best);
 }
 
 bool Hierarchy::any_copies(std::span<const Found> hits) const {

@@ -65,8 +65,9 @@ class Hierarchy {
 
   // The following ask for this once, and entries to be the places of their items.
   void find_parents();
-  // Whether a search that finds nothing else comes to `entry`: rounding refuses rays that graze an edge of its box.
-  bool reaches(const Ray& ray, std::uint32_t entry) const;
+  // Whether a search that finds nothing before `best` comes to `entry`: rounding refuses rays that graze an edge of its
+  // box, or moves boxes that are far away behind `best`.
+  bool reaches(const Ray& ray, std::uint32_t entry, double best = HUGE_VAL) const;
   struct Found {
     std::uint32_t entry;
     double t;

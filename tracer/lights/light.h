@@ -11,7 +11,7 @@
 namespace verisim::shading {
 
 constexpr double kProjectorTolerance = 1e-4;  // from the shaded point to what the light is projected through
-constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
+using shapes::kShadowTolerance;
 // What blocks a light altogether counts from here on: POV-Ray's shadow cache, which asks the last blocker first, heeds
 // no other limit, and the blocker of a point in a contact shadow is mostly that of the point before it (spec 06 9.2).
 constexpr double kContactTolerance = 1e-4;

@@ -59,6 +59,9 @@ enum class RayKind : unsigned char {
   photon,
   query
 };
+// Shadow rays meet nothing nearer than this to the shaded point, to the light and to the previous transparent surface,
+// though POV-Ray looks for the boxes of objects as far as the light (spec 06 9.2).
+inline constexpr double kShadowTolerance = 1e-3;
 
 // Everything shading needs to know of the object a primitive belongs to; filled by accel::World when it compiles (null
 // in bare queries).

@@ -66,6 +66,9 @@ bool may_run_along_edges(const scene::Object& o) {
          o.as<std::shared_ptr<const scene::Text>>();
 }
 
+// As many sizes of a box away the last bits of single precision are as large as it, with room for three operations.
+constexpr float kFewLastBits = 1e6f;
+
 bool encloses(const Box3& pov, const Box3& surface) {
   return !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
 }
@@ -113,11 +116,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
     if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
       e.hidden |= hidden_from(*light->looks_like);
-    std::size_t opaque = 0;
-    for (std::size_t s = first_surface; s < w.surfaces.size(); ++s) opaque += w.surfaces[s].opaque;
-    e.opacity = opaque == w.surfaces.size() - first_surface ? Opacity::opaque
-                : opaque == 0                               ? Opacity::transparent
-                                                            : Opacity::mixed;
+    e.opacity = w.opacity_of(first_surface);
     if (lets_light_through(e)) w.transparent_shadows = true;
     if (o.interior) w.interiors = true;
     e.infinite = scene::is_infinite(o);
@@ -130,8 +129,10 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
     e.ranked = !e.infinite && !w.in_order;
+    if (e.ranked) e.exact_within = kFewLastBits * *std::ranges::max_element(o.bounds.size);
     e.edged = e.ranked && may_run_along_edges(o);
     e.cut = e.ranked && !is_empty(box) && !encloses(box, shape->bounds());
+    if (!never && w.any_blurred(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
@@ -165,6 +166,19 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   w.tree = Bvh(boxes), w.deep_tree = Bvh(w.deep_boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
   if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMax) w.few = shapes::BoxSet(boxes);
+}
+
+Opacity World::Impl::opacity_of(std::size_t first) {
+  std::size_t opaque = 0;
+  for (std::size_t s = first; s < surfaces.size(); ++s) opaque += surfaces[s].opaque;
+  return opaque == surfaces.size() - first ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
+}
+
+// POV-Ray takes hits of an ovus at any distance, where the rounding of the formula is larger than the object itself.
+bool World::Impl::any_blurred(std::size_t first) {
+  for (std::size_t s = first; s < surfaces.size(); ++s)
+    if (surfaces[s].object->as<scene::Ovus>()) return true;
+  return false;
 }
 
 void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
@@ -264,7 +278,7 @@ const Hierarchy& World::Impl::hierarchy() const {
   return made_hierarchy;
 }
 
-bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
+bool World::Impl::reaches(const Ray& ray, std::uint32_t index, double best) const {
   // Where a ray runs through the inside of the box for a while, rounding cannot refuse it. Along a face it can: boxes
   // around this one may end a little before it.
   const double slack = kCoincident * length(ray.origin) + 1e-8;
@@ -273,7 +287,7 @@ bool World::Impl::reaches(const Ray& ray, std::uint32_t index) const {
   if (!is_empty(inside) && clip_to_box(ray, inside, near, far) &&
       far - near > kCoincident * (std::fabs(near) + length(ray.origin)))
     return true;
-  return hierarchy().reaches(ray, index);
+  return hierarchy().reaches(ray, index, best);
 }
 
 void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const {

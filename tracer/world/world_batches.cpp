@@ -265,9 +265,13 @@ class World::BatchSearch {
     if (met) take_admitted(k, ray, index);
   }
   void take_admitted(int k, const Ray& ray, std::uint32_t index) {
-    if (!w_.admits(index, ray, others_[k])) return;
+    if (!w_.admits(index, ray, others_[k], best(k))) return;
     if (w_.entries[index].before_box(ray, others_[k])) before_box_ |= 1u << k;
     take(k, others_[k], index);
+  }
+
+  double best(int k) const {
+    return kind_ == RayKind::shadow && !(found_ >> k & 1) ? limit_[k] + kShadowTolerance : limit_[k];
   }
 
   const Impl& w_;
@@ -291,10 +295,10 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const int rest = std::min(kLanes, first + count - start);
-    if (rest < kMin) {
+    if (rest < kMin || w.blurred_for(rays, start, rest)) {
       for (int i = start; i < start + rest; ++i)
         found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : kFarthestHit, hits[i], entry);
-      return;
+      continue;
     }
     BatchSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, t_max ? t_max + start : nullptr, hits + start);
     search.test_planes();
@@ -337,7 +341,7 @@ class World::BatchOcclusion {
       if (w_.planes[i] || (e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
-      test(*e.shape, e.opacity, e.slab, nullptr, lanes);
+      test(*e.shape, e.opacity, w_.unbounded[i], nullptr, lanes);
     }
   }
   void test_around() {
@@ -346,7 +350,7 @@ class World::BatchOcclusion {
       if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= s.enclosure.holds(rays_.at(k), above_, t_max_[k]) ? 0 : 1u << k; });
-      test(*e.shape, e.opacity, e.slab, nullptr, lanes);
+      test(*e.shape, e.opacity, s.entry, nullptr, lanes);
     }
   }
   void test_boxes(WorldEntry& entry) {
@@ -368,9 +372,9 @@ class World::BatchOcclusion {
   void test_candidate(std::uint32_t i, WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
     if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
-    const SlabTest& slab = w_.entries[c.entry].slab;
-    __builtin_prefetch(&slab);
-    if (test(*c.shape, c.opacity, slab, entry ? entry->inner_of(i) : nullptr, lanes) && entry) entry->last_blocker = i;
+    __builtin_prefetch(&w_.entries[c.entry].slab);
+    if (test(*c.shape, c.opacity, c.entry, entry ? entry->inner_of(i) : nullptr, lanes) && entry)
+      entry->last_blocker = i;
   }
 
  private:
@@ -388,7 +392,7 @@ class World::BatchOcclusion {
     return false;
   }
   // True if any lane is blocked.
-  bool test(const Shape& shape, Opacity opacity, const SlabTest& slab, const EntryPoints* inner, unsigned lanes) {
+  bool test(const Shape& shape, Opacity opacity, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     if (lanes == 0) return false;
     unsigned blocked = 0;
     if (opacity == Opacity::opaque && is_alone(lanes)) {
@@ -401,7 +405,7 @@ class World::BatchOcclusion {
     } else {
       each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
     }
-    each_lane(blocked, [&](int k) { blocked &= slab.passes(rays_.at(k)) ? ~0u : ~(1u << k); });
+    each_lane(blocked, [&](int k) { blocked &= w_.admits_blocker(index, rays_.at(k), t_max_[k]) ? ~0u : ~(1u << k); });
     open_ &= ~blocked;
     return blocked != 0;
   }
@@ -419,7 +423,7 @@ void World::occluded_batch(const RayBatch& rays, int first, int count, double t_
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const unsigned active = lanes_below(first + count - start);
-    if (std::popcount(active) < kMin) {
+    if (const int rest = std::popcount(active); rest < kMin || w.blurred_for(rays, start, rest)) {
       each_lane(active,
                 [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
       continue;

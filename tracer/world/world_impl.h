@@ -26,6 +26,7 @@
 
 namespace verisim::accel {
 
+using shapes::kShadowTolerance;
 using shapes::Shape;
 using shapes::Surface;
 
@@ -55,7 +56,10 @@ struct Entry {
   bool ranked = false;        // is in POV-Ray's hierarchy
   bool edged = false;         // and its surface may run along edges of its box
   bool cut = false;           // or reach out of its box, which decides what is seen
-  SlabTest slab;              // for hits
+  // Rays that come from farther meet its box in POV-Ray's hierarchy, if it is there, by rounding: they may be refused,
+  // or the box be moved.
+  float exact_within = std::numeric_limits<float>::infinity();
+  SlabTest slab;                                        // for hits
   Box3 box() const { return widened(object->bounds); }  // POV-Ray's, right or wrong
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
     double near = t_min, far = t_max;
@@ -65,11 +69,16 @@ struct Entry {
   // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face; or one
   // that grazes the box wherever it meets the surface, if that reaches out of it.
   bool in_doubt(const Ray& ray, const Hit& hit) const {
-    if (cut) return true;
+    if (cut || hit.t > exact_within) return true;
     const Vec3& d = ray.direction;
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
            at_edge(ray, hit);
+  }
+  bool blurred_from(const Vec3& origin) const {
+    constexpr double kAfar = 1e4;  // in sizes of the box: nearer, the box has room for the rounding
+    const Box3 box = this->box();
+    return length(origin - box.center()) > kAfar * length(box.max - box.min);
   }
   // The hit lies before the box. POV-Ray asks objects in the order of their boxes, and not at all where the ray has met
   // something on its way to the box: its search is to be repeated.
@@ -182,9 +191,10 @@ struct World::Impl {
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Surrounding> around;           // beside the tree, too
   std::vector<Enclosure> enclosures;
-  bool interiors = false;          // some object has one
-  bool only_enclosures = false;    // whatever is not opaque has one
-  std::vector<Candidate> bounded;  // of each box of the tree
+  std::vector<std::uint32_t> blurred;  // entries that rays from afar meet by rounding where they pass them by
+  bool interiors = false;              // some object has one
+  bool only_enclosures = false;        // whatever is not opaque has one
+  std::vector<Candidate> bounded;      // of each box of the tree
   Bvh tree;
   // While surfaces are added. Of the texture of the CSG around them: whether images in maps reveal it; likewise of
   // those of dissolved unions that were met.
@@ -219,6 +229,9 @@ struct World::Impl {
     else
       few.traverse(ray, t_min, t_max, visit);
   }
+  // Of a frame-level object's surfaces, which are those from `first` on.
+  Opacity opacity_of(std::size_t first);
+  bool any_blurred(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);
   Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
@@ -237,12 +250,32 @@ struct World::Impl {
   const Hierarchy& hierarchy() const;  // made at the first ray that needs it: most scenes do not
   // Of each entry, its place among those that POV-Ray finds around a point (spec 06 2.1).
   const std::vector<std::uint32_t>& ranks() const;
-  // POV-Ray finds this hit of an entry, too.
-  bool admits(std::uint32_t index, const Ray& ray, const Hit& hit) const {
+  // POV-Ray finds this hit of an entry, too, if nothing lies before `best`.
+  bool admits(std::uint32_t index, const Ray& ray, const Hit& hit, double best) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.in_doubt(ray, hit) || reaches(ray, index));
+    return e.slab.passes(ray) && (!e.in_doubt(ray, hit) || reaches(ray, index, best));
   }
-  bool reaches(const Ray& ray, std::uint32_t index) const;  // whether POV-Ray's hierarchy asks it
+  // The same for some hit of a shadow ray that is followed to t_max.
+  bool admits_blocker(std::uint32_t index, const Ray& ray, double t_max) const {
+    const Entry& e = entries[index];
+    return e.slab.passes(ray) && (!(t_max > e.exact_within) || reaches(ray, index, t_max + kShadowTolerance));
+  }
+  bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
+  // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.
+  template <class Visit>
+  void each_blurred(const Ray& ray, double best, Visit&& visit) const {
+    for (const std::uint32_t i : blurred) {
+      const Entry& e = entries[i];
+      if (e.blurred_from(ray.origin) && e.slab.passes(ray) && (!e.ranked || hierarchy().reaches(ray, i, best)))
+        visit(i, e);
+    }
+  }
+  bool blurred_for(const RayBatch& rays, int first, int count) const {
+    for (const std::uint32_t i : blurred)
+      for (int k = first; k < first + count; ++k)
+        if (entries[i].blurred_from(rays.at(k).origin)) return true;
+    return false;
+  }
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).
   void settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const;
   void add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const;

@@ -36,6 +36,11 @@ class World::Search {
       if (!(e.hidden & mask_) && !s.enclosure.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
     }
   }
+  void test_blurred() {
+    w_.each_blurred(ray_, best(), [this](std::uint32_t i, const Entry& e) {
+      if (!(e.hidden & mask_)) test(*e.shape, i, nullptr);
+    });
+  }
   // All that POV-Ray asks, in its order: isosurfaces remember that they were asked.
   void test_in_turn() {
     const auto ask = [&](std::uint32_t index) {
@@ -56,6 +61,7 @@ class World::Search {
   }
 
  private:
+  double best() const { return kind_ == RayKind::shadow && !found_ ? limit_ + kShadowTolerance : limit_; }
   void take(const Hit& hit, std::uint32_t index) {
     const bool nearer = !found_ || hit.t < hit_.t;
     const bool before = coincident_;
@@ -84,7 +90,7 @@ class World::Search {
     Hit other;
     const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
                            : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (!met || !w_.admits(index, ray_, other)) return;
+    if (!met || !w_.admits(index, ray_, other, best())) return;
     before_box_ |= w_.entries[index].before_box(ray_, other);
     take(other, index);
   }
@@ -123,6 +129,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
       },
       entry);
   search.test_around();
+  search.test_blurred();
   if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
@@ -151,6 +158,7 @@ bool World::intersect_along(const Ray& ray, RayKind kind, double t_min, double t
     farthest = round_up(passed + search.limit() + slack);
   }
   search.test_around();
+  search.test_blurred();
   if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
@@ -202,7 +210,7 @@ class World::Occlusion {
         continue;
       }
       if (!e.may_meet(ray_, above_, t_max_)) continue;
-      if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
+      if (blocks(*e.shape, e.opacity, nullptr) && w_.admits_blocker(w_.unbounded[i], ray_, t_max_)) return true;
     }
     return false;
   }
@@ -210,14 +218,23 @@ class World::Occlusion {
     for (const Surrounding& s : w_.around) {
       const Entry& e = w_.entries[s.entry];
       if ((e.hidden & kMask) || e.opacity == Opacity::transparent || s.enclosure.holds(ray_, above_, t_max_)) continue;
-      if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
+      if (blocks(*e.shape, e.opacity, nullptr) && w_.admits_blocker(s.entry, ray_, t_max_)) return true;
     }
     return false;
+  }
+  bool by_blurred() const {
+    bool blocked = false;
+    w_.each_blurred(ray_, t_max_ + kShadowTolerance, [&](std::uint32_t, const Entry& e) {
+      blocked =
+          blocked || (!(e.hidden & kMask) && e.opacity != Opacity::transparent && blocks(*e.shape, e.opacity, nullptr));
+    });
+    return blocked;
   }
   bool by_candidate(std::uint32_t i, const WorldEntry* entry) const {
     const Candidate& c = w_.bounded[i];
     return !(c.hidden & kMask) && c.opacity != Opacity::transparent &&
-           blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr) && w_.entries[c.entry].slab.passes(ray_);
+           blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr) &&
+           w_.admits_blocker(c.entry, ray_, t_max_);
   }
 
  private:
@@ -243,7 +260,7 @@ bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* ent
   const Occlusion occlusion(w, ray, t_min, t_max);
   if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry))
     return true;
-  if (occlusion.by_unbounded() || occlusion.by_surrounding()) return true;
+  if (occlusion.by_unbounded() || occlusion.by_surrounding() || occlusion.by_blurred()) return true;
   if (!entry && !w.few.empty())
     return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
   bool found = false;

@@ -236,15 +236,15 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
     c.transparent = c.seems_transparent = lets_light_through(c.color);
     return c;
   }
-  if (d.pattern.kind == scene::PatternKind::none) return c;
-  // A pattern keeps the solid colour that it has taken the place of, a solid colour and an image the map, and POV-Ray
-  // heeds them still.
+  // A pattern keeps the solid colour that it has taken the place of, a solid colour (also the black of a pigment
+  // without a type) and an image the map, and POV-Ray heeds them still.
   c.transparent = c.seems_transparent = lets_light_through(d.color) || map_lets_light_through(d);
   c.images_filter = d.pigment_map && std::ranges::any_of(*d.pigment_map, [this](const auto& entry) {
                       const CompiledPigment& child = *pigment(entry.value);
                       return child.images_filter || image_filters(*entry.value, child);
                     });
   switch (d.pattern.kind) {
+    case scene::PatternKind::none:
     case scene::PatternKind::plain:
       c.color = d.color;
       return c;

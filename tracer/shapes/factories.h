@@ -13,9 +13,6 @@ VERISIM_SHAPES(VERISIM_SHAPE)
 // A child of a CSG object that is asked as a whole: a height field then reports hits that it else ends its search
 // before.
 void join_csg(Shape& shape);
-// A primitive whose hits some level of CSG above it takes in reverse: of equally near ones the first wins (spec
-// 03 5.2). Only those of boxes differ where it matters, in their edges.
-void turn_hits(Shape& shape);
 
 // False: the patch would be divided into more pieces than fit into memory.
 bool bicubic_patch_fits(const scene::BicubicPatch& patch);

@@ -11,6 +11,7 @@
 // when it finds hits in increasing distance.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <limits>
@@ -162,13 +163,11 @@ class Primitive : public Shape {
  public:
   void intersect_all(const Ray& ray, RayKind, HitList& hits) const final {
     if (guards_ && !guards_->admit(ray)) return;
-    AllHits sink(*this, guards_.get(), hits);
-    derived().intersections(ray, sink);
+    all_of(ray, AllHits(*this, guards_.get(), hits), hits);
   }
   void intersect_between(const Ray& ray, RayKind, double from, double to, HitList& hits) const final {
     if (guards_ && !guards_->admit(ray)) return;
-    AllHits sink(*this, guards_.get(), hits, from, to);
-    derived().intersections(ray, sink);
+    all_of(ray, AllHits(*this, guards_.get(), hits, from, to), hits);
   }
   bool intersect(const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {
     if (guards_ && !guards_->admit(ray)) return false;
@@ -204,6 +203,8 @@ class Primitive : public Shape {
   }
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && derived().formula(p); }
   bool inside_unclipped(const Vec3& p) const final { return derived().formula(p); }
+  void turn_hits() override { turned_ = true; }
+  bool hits_turned() const final { return turned_; }
   Vec3 normal(const Hit& hit) const final {
     const Vec3 n = derived().geometric_normal(hit);
     return inverted_ ? -n : n;
@@ -254,6 +255,11 @@ class Primitive : public Shape {
 
  private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
+  void all_of(const Ray& ray, AllHits&& sink, HitList& hits) const {
+    const auto begin = static_cast<std::ptrdiff_t>(hits.size());
+    derived().intersections(ray, sink);
+    if (turned_) std::reverse(hits.begin() + begin, hits.end());
+  }
 
   // Apart, so that the numbers of a shape fit in a cache line or two.
   struct Cold {
@@ -265,7 +271,7 @@ class Primitive : public Shape {
   std::unique_ptr<const Guards> guards_;
   std::unique_ptr<const Cold> cold_;
   const Transform* matrix_;  // the identity where there is none
-  bool inverted_, has_matrix_, solid_outside_ = false;
+  bool inverted_, has_matrix_, solid_outside_ = false, turned_ = false;
 };
 
 // The part of `box` that can lie inside every clip object.

@@ -141,6 +141,11 @@ class Shape : public scene::Solid {
   // the shape lives.
   virtual SimpleSolid simple() const { return {}; }
 
+  // Some level of CSG above takes the hits of this primitive in reverse: of equally near ones the first wins (spec
+  // 03 5.2).
+  virtual void turn_hits() {}
+  virtual bool hits_turned() const { return false; }
+
   // What the rays so far tell the author of the scene about this shape; mostly nothing.
   virtual std::string finding() const { return {}; }
 

@@ -238,7 +238,7 @@ std::unique_ptr<Shape> compile_part(const scene::Object& object, bool turned) {
     const bool turns = turned != tests_hits;
     children.push_back(child->as<scene::Csg>() ? compile_part(*child, turns) : compile(*child));
     join_csg(*children.back());
-    if (turns) turn_hits(*children.back());
+    if (turns) children.back()->turn_hits();
     if (kind == scene::CsgKind::intersection && is_flagged_text(*child))
       children.back() = as_letters(std::move(children.back()));
   }

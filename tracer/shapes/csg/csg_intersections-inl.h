@@ -52,10 +52,24 @@ struct Search {
         any(any_hit) {}
 };
 
+// The lanes whose best hits so far are of the same node and as far away.
+template <class Number>
+HWY_INLINE unsigned own_ties(const Search<Number>& s, const CsgNode& n, const Number& t, unsigned lanes) {
+  unsigned ties = ~bits(t < s.best) & lanes & s.found;
+  if (ties == 0) return 0;
+  alignas(64) std::int64_t node[Number::kCount];
+  store(node, s.node);
+  each_lane(ties, [&](int k) {
+    if (node[k] != &n - s.tree.nodes.data()) ties &= ~(1u << k);
+  });
+  return ties;
+}
+
 // Takes hits of `lanes` at t that survive.
 template <class Number>
 HWY_INLINE void take_surviving(Search<Number>& s, const CsgNode& n, const Number& t, unsigned lanes,
                                const PacketVector<Number>& p, const IntsFor<Number>& part) {
+  if (n.turned) lanes &= ~own_ties(s, n, t, lanes);
   for (std::uint32_t i = 0; i < n.test_count; ++i) {
     const CsgTest& test = s.tree.tests[n.tests + i];
     if ((test.hidden >> static_cast<unsigned>(s.query.kind) & 1) != 0) continue;

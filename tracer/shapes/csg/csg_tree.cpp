@@ -81,6 +81,7 @@ struct CsgTree::Builder {
     } else if (is_simple(shape) || (&shape == admitted && shape.simple().form != SimpleSolid::Form::other)) {
       n.kind = CsgNode::Kind::simple;
       n.simple = shape.simple();
+      n.turned = shape.hits_turned() && n.simple.form != SimpleSolid::Form::box;  // boxes turn theirs
       n.plain = shape.clips().empty();
       n.boxed_solid = n.boxed_solid && !n.plain;
       const bool cone = n.simple.form == SimpleSolid::Form::cone, plane = n.simple.form == SimpleSolid::Form::plane;
@@ -89,6 +90,7 @@ struct CsgTree::Builder {
       test_cost = (plane ? 1 : cone || n.simple.quadric ? 3 : 2) + (n.simple.matrix ? 2 : 0);
     } else if (const auto* prism = dynamic_cast<const StraightPrism*>(&shape); prism && prism->straight_walls()) {
       n.kind = CsgNode::Kind::prism;
+      n.turned = shape.hits_turned();
       n.walls = prism->straight_walls();
       n.boxed = accel::is_finite(n.box);
       test_cost = 10;

@@ -32,6 +32,7 @@ struct CsgNode {
   bool boxed = false;        // worth a look at its box first
   bool boxed_solid = false;  // of everything outside `solid` it is known whether it is inside:
   bool far_is_inside = false;
+  bool turned = false;                          // of equally near hits of its own the first wins
   unsigned hidden = 0;                          // from kinds of rays, as bits
   std::uint32_t end = 0;                        // the node behind it and what is below it
   std::uint32_t children = 0, child_count = 0;  // CsgTree::children: those of CSG objects, cheap ones first

@@ -47,6 +47,9 @@ class Mesh final : public TreePrimitive<Mesh> {
     intersections_of_search(ray, sink);
   }
 
+  // The order in which all hits are found is not POV-Ray's.
+  void turn_hits() override {}
+
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const override {
     if (guards() || tree().empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);

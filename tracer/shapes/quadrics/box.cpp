@@ -23,7 +23,8 @@ class Box final : public KernelPrimitive<Box> {
   void intersections(const Ray& ray, Sink& sink) const {
     // The direction keeps its length, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
-    box_intersections(o, d, low_, high_, turned_, one_ray::Report{[&](double t, std::int32_t face) {
+    box_intersections(o, d, low_, high_, hits_turned() && Sink::kNearest,
+                      one_ray::Report{[&](double t, std::int32_t face) {
                         const auto point = [&] { return ray.origin + t * ray.direction; };
                         return sink.add(t, point, face) && Sink::kNearest;
                       }});
@@ -34,8 +35,6 @@ class Box final : public KernelPrimitive<Box> {
   }
 
   SimpleSolid simple() const override { return numbers(); }
-
-  void turn_hits() { turned_ = true; }
 
   bool contains(const Vec3& p) const { return within_box(local(p), low_, high_); }
 
@@ -69,21 +68,16 @@ class Box final : public KernelPrimitive<Box> {
   SimpleSolid numbers() const {
     return {.form = SimpleSolid::Form::box,
             .inverted = inverted(),
-            .turned = turned_,
+            .turned = hits_turned(),
             .matrix = has_matrix() ? &matrix() : nullptr,
             .a = low_,
             .b = high_};
   }
 
-  bool turned_ = false;  // before the others: in a gap of the base
   Vec3 low_, high_;
 };
 
 }  // namespace
-
-void turn_hits(Shape& shape) {
-  if (auto* box = dynamic_cast<Box*>(&shape)) box->turn_hits();
-}
 
 std::unique_ptr<Shape> compile_box(const scene::Object& object) {
   const auto& box = *object.as<scene::Box>();

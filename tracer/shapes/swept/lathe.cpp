@@ -117,6 +117,9 @@ class Lathe final : public SearchPrimitive<Lathe> {
     return found;
   }
 
+  // The order in which hits are found is not POV-Ray's.
+  void turn_hits() override {}
+
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
     if (p.y < range_.y_low || p.y > range_.y_high) return false;

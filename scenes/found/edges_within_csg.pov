@@ -14,7 +14,11 @@ camera { orthographic location <0.05, 0.05, -20> right 16*x up 12*y }
 #macro Row(Y, Solid)
   object { Solid translate <-4.5, Y, 0> }
   intersection { object { Solid } box { -9, 9 } translate <-1.5, Y, 0> }
-  merge { intersection { merge { object { Solid } sphere { 9, 1 } } box { -9, 9 } } sphere { 9, 0.5 } translate <1.5, Y, 0> }
+  merge {
+    intersection { merge { object { Solid } sphere { 9, 1 } } box { -9, 9 } }
+    sphere { 9, 0.5 }
+    translate <1.5, Y, 0>
+  }
   difference { intersection { object { Solid } box { -9, 9 } } box { <0, 0, -9>, 9 } translate <4.5, Y, 0> }
 #end
 Row(4.4, Cone)

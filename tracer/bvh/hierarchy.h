@@ -6,6 +6,7 @@
 // each other that this matters repeat that search; all others never come here.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>

@@ -23,6 +23,7 @@ class Box final : public KernelPrimitive<Box> {
   void intersections(const Ray& ray, Sink& sink) const {
     // The direction keeps its length, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
+    // A list of all hits is turned round by Primitive.
     box_intersections(o, d, low_, high_, hits_turned() && Sink::kNearest,
                       one_ray::Report{[&](double t, std::int32_t face) {
                         const auto point = [&] { return ray.origin + t * ray.direction; };

@@ -72,9 +72,6 @@ constexpr float kFewLastBits = 1e6f;
 bool encloses(const Box3& pov, const Box3& surface) {
   return !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
 }
-// What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not,
-// its box decides what is seen.
-Box3 tight_box(const Box3& pov, const Box3& surface) { return encloses(pov, surface) ? surface : pov; }
 
 // The surface and all that it encloses lie in a finite box.
 bool within_finite_box(const Shape& shape) {
@@ -131,8 +128,11 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     e.ranked = !e.infinite && !w.in_order;
     if (e.ranked) e.exact_within = kFewLastBits * *std::ranges::max_element(o.bounds.size);
     e.edged = e.ranked && may_run_along_edges(o);
-    e.cut = e.ranked && !is_empty(box) && !encloses(box, shape->bounds());
-    if (!never && w.any_blurred(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
+    // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula.
+    e.strays = !e.infinite && !is_empty(box) &&
+               (!encloses(box, shape->bounds()) || w.any_surface_of<std::shared_ptr<const scene::Sor>>(first_surface));
+    // POV-Ray takes hits of an ovus at any distance, where the rounding of its formula is larger than the object.
+    if (!never && w.any_surface_of<scene::Ovus>(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
@@ -174,10 +174,10 @@ Opacity World::Impl::opacity_of(std::size_t first) {
   return opaque == surfaces.size() - first ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
 }
 
-// POV-Ray takes hits of an ovus at any distance, where the rounding of the formula is larger than the object itself.
-bool World::Impl::any_blurred(std::size_t first) {
+template <class Kind>
+bool World::Impl::any_surface_of(std::size_t first) {
   for (std::size_t s = first; s < surfaces.size(); ++s)
-    if (surfaces[s].object->as<scene::Ovus>()) return true;
+    if (surfaces[s].object->as<Kind>()) return true;
   return false;
 }
 
@@ -224,8 +224,8 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
 
 Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
-  const Box3 box = e.box(),
-             kept = e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(box, e.shape->bounds());
+  // The true bounds of the surface where POV-Ray's box encloses them.
+  const Box3 box = e.box(), kept = e.strays ? e.box_of_hits() : e.shape->bounds();
   const shapes::SolidExtent solid = e.shape->solid_extent();
   const Box3 inside = solid.outside ? box : shapes::common(box, solid.box);
   if (!is_empty(inside) && !(contains(kept, inside.min) && contains(kept, inside.max)))

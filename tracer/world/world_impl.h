@@ -55,26 +55,34 @@ struct Entry {
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   bool ranked = false;        // is in POV-Ray's hierarchy
   bool edged = false;         // and its surface may run along edges of its box
-  bool cut = false;           // or reach out of its box, which decides what is seen
+  bool strays = false;        // hits may lie out of the box, which decides what is seen
   // Rays that come from farther meet its box in POV-Ray's hierarchy, if it is there, by rounding: they may be refused,
   // or the box be moved.
   float exact_within = std::numeric_limits<float>::infinity();
   SlabTest slab;                                        // for hits
   Box3 box() const { return widened(object->bounds); }  // POV-Ray's, right or wrong
+  // Where hits that count begin to be looked for. POV-Ray has met a box that ends sooner than those of shadow rays do.
+  Box3 box_of_hits() const {
+    Box3 box = this->box();
+    if (strays) box.min -= Vec3(kShadowTolerance), box.max += Vec3(kShadowTolerance);
+    return box;
+  }
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
     double near = t_min, far = t_max;
-    return (!test_box || clip_to_box(ray, box(), near, far)) &&
+    return (!test_box || clip_to_box(ray, box_of_hits(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
   // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face; or one
   // that grazes the box wherever it meets the surface, if that reaches out of it.
   bool in_doubt(const Ray& ray, const Hit& hit) const {
-    if (cut || hit.t > exact_within) return true;
+    if (in_doubt_at(hit.t)) return true;
     const Vec3& d = ray.direction;
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
            at_edge(ray, hit);
   }
+  // Wherever it is hit so far away.
+  bool in_doubt_at(double t) const { return ranked && (strays || t > exact_within); }
   bool blurred_from(const Vec3& origin) const {
     constexpr double kAfar = 1e4;  // in sizes of the box: nearer, the box has room for the rounding
     const Box3 box = this->box();
@@ -83,7 +91,7 @@ struct Entry {
   // The hit lies before the box. POV-Ray asks objects in the order of their boxes, and not at all where the ray has met
   // something on its way to the box: its search is to be repeated.
   bool before_box(const Ray& ray, const Hit& hit) const {
-    if (!cut) return false;
+    if (!strays || !ranked) return false;
     double near = -HUGE_VAL, far = HUGE_VAL;
     return clip_to_box(ray, box(), near, far) && hit.t < near + kCoincident * (std::fabs(near) + length(ray.origin));
   }
@@ -231,7 +239,8 @@ struct World::Impl {
   }
   // Of a frame-level object's surfaces, which are those from `first` on.
   Opacity opacity_of(std::size_t first);
-  bool any_blurred(std::size_t first);
+  template <class Kind>
+  bool any_surface_of(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);
   Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
@@ -258,7 +267,7 @@ struct World::Impl {
   // The same for some hit of a shadow ray that is followed to t_max.
   bool admits_blocker(std::uint32_t index, const Ray& ray, double t_max) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!(t_max > e.exact_within) || reaches(ray, index, t_max + kShadowTolerance));
+    return e.slab.passes(ray) && (!e.in_doubt_at(t_max) || reaches(ray, index, t_max + kShadowTolerance));
   }
   bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
   // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.

@@ -291,8 +291,8 @@ class Tracer {
   };
   // `rest`: takes what lies behind the last surface; its atmosphere then does not act here.
   void cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& color, ShadowSegment* rest = nullptr);
-  // Fog or media may take from this light on its way.
-  bool light_on_way_changes(const Light& light) const;
+  // Fog or media may take from this light on its way, in what `eye` sees.
+  bool light_on_way_changes(const Light& light, const RayState& eye) const;
   // Shadow rays that start there meet nothing but opaque objects; null: from anywhere.
   bool only_opaque(const accel::WorldEntry* entry) const {
     return entry ? entry->only_opaque : !scene_.world.has_transparent_shadows();

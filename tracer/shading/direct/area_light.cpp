@@ -76,7 +76,7 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   const std::size_t cells = static_cast<std::size_t>(light.size1()) * light.size2();
   if (corners_.size() < cells) corners_.resize(cells);
   ++corner_stamp_;
-  grid.attenuates = light_on_way_changes(light);
+  grid.attenuates = light_on_way_changes(light, query.eye);
   if (!light.projector() && !in_order_ && !grid.attenuates) grid.together = true, grid.entry = shadow_entry(query, p);
   // Where all first samples agree, as they do beside penumbras, no others are asked for, and means of one colour are
   // that colour, unless its sum is too large for binary32.

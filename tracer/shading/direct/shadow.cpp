@@ -81,8 +81,8 @@ accel::CoherentRays::Viewer Tracer::viewer(const ShadowQuery& query) {
                                                                 : accel::CoherentRays::Viewer::other;
 }
 
-bool Tracer::light_on_way_changes(const Light& light) const {
-  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || scene_.any_media());
+bool Tracer::light_on_way_changes(const Light& light, const RayState& eye) const {
+  return scene_.quality >= 9 && eye.volumes && light.media_attenuation() && (scene_.fog || scene_.any_media());
 }
 
 bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Ray& ray, double length) const {
@@ -114,7 +114,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, ShadowSegment segment, Rgb& c
   // tolerance to the transparent surface before it does not count, opaque or not, and media draw their random numbers
   // where POV-Ray's do; what is remembered hangs on all of it.
   accel::WorldEntry* const entry = shadow_entry(query, ray.origin);
-  if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, ray, segment.length)) {
+  if (light_on_way_changes(query.light, query.eye) || in_order_ || !any_object_decides(entry, ray, segment.length)) {
     filter_along(query, segment, entry, color, rest);
   } else if (segment.length > 2 * kShadowTolerance &&
              scene_.world.occluded(ray, contact_tolerance(query.light), segment.length - kShadowTolerance, entry)) {
@@ -187,7 +187,7 @@ void Tracer::filter_along(const ShadowQuery& query, ShadowSegment segment, const
 // Atmosphere and fog act only for lights that ask for it; media of containers always, over segments that end at a
 // surface. What is not hollow keeps out everything but the atmosphere before a surface (spec 06 9.4, 07 4.7).
 void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool to_surface, Rgb& color) {
-  if (scene_.quality < 9 || !(ray.hollow || to_surface)) return;
+  if (scene_.quality < 9 || !query.eye.volumes || !(ray.hollow || to_surface)) return;
   const bool attenuates = query.light.media_attenuation();
   if (const Effects* effects = scene_.effects) {
     const bool inside = to_surface && ray.hollow && effects->media_in_interiors && ray.interiors.count > 0,

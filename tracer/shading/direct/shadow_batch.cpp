@@ -116,7 +116,7 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowBatch
 
 void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& batch) {
   if (!light.shadows() || batch.count == 0) return;
-  if (rays_alone(light, eye) || light_on_way_changes(light)) {
+  if (rays_alone(light, eye) || light_on_way_changes(light, eye)) {
     for (int i = 0; i < batch.count; ++i) {
       random_.begin(batch.key[i]);
       batch.light[i] = shadowed(light, batch.rays.origin.at(i), {batch.rays.direction.at(i), batch.distance[i]}, eye,
@@ -147,7 +147,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowBatch& 
 void Tracer::look_for_light(const Light& light, const RayState& eye, ShadowBatch& batch, bool* known) {
   std::fill_n(known, batch.count, false);
   if (scene_.quality < 4 || !light.shadows() || rays_alone(light, eye)) return;
-  const bool changes = light_on_way_changes(light);
+  const bool changes = light_on_way_changes(light, eye);
   const bool draws = scene_.effects && (scene_.effects->interior_draws_count || scene_.effects->air_draws_count);
   if (changes && draws) return;
   const auto know = [&](const Travellers& cell) {

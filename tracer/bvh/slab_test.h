@@ -16,7 +16,8 @@ struct SlabTest {
   std::array<float, 3> low, high;
   bool used = false;
 
-  bool passes(const Ray& ray) const {
+  // `before`: where the box is to begin.
+  bool passes(const Ray& ray, float before = std::numeric_limits<float>::infinity()) const {
     if (!used) return true;
     float near[3], far[3];
     for (int i = 0; i < 3; ++i) {
@@ -30,7 +31,7 @@ struct SlabTest {
       if (near[i] > near[0]) near[0] = near[i];
       if (far[i] < far[0]) far[0] = far[i];
     }
-    return near[0] < std::numeric_limits<float>::infinity() && far[0] > 1e-4f;
+    return near[0] < before && far[0] > 1e-4f;
   }
 };
 

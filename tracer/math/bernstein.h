@@ -29,6 +29,14 @@ struct Binomials {
 inline constexpr Binomials kBinomials;
 inline constexpr int kMaxDepth = 45;
 
+// b_i = sum_j C(i, j) c_j, in place, by repeated sums: Bernstein coefficients, if c_j are those of powers divided by
+// C(N, j).
+template <int N>
+void sum_binomials(double* c) {
+  for (int i = 1; i <= N; ++i)
+    for (int k = N; k >= i; --k) c[k] += c[k - 1];
+}
+
 // A polynomial in powers of x, constant term first, whose roots between a and b are wanted.
 template <int N>
 class Solver {
@@ -44,9 +52,7 @@ class Solver {
     double scale = 1;
     const double width = b - a;
     for (int i = 0; i <= N; ++i, scale *= width) c[i] *= scale * kBinomials.inverse[N][i];
-    // b_i = sum_j C(i, j) c_j: repeated sums.
-    for (int i = 1; i <= N; ++i)
-      for (int k = N; k >= i; --k) c[k] += c[k - 1];
+    sum_binomials<N>(c);
     if (all_of_one_sign(c)) return;
     for (const double v : c)
       if (!std::isfinite(v)) return;

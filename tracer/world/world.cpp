@@ -131,8 +131,10 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula.
     e.strays = !e.infinite && !is_empty(box) &&
                (!encloses(box, shape->bounds()) || w.any_surface_of<std::shared_ptr<const scene::Sor>>(first_surface));
-    // POV-Ray takes hits of an ovus at any distance, where the rounding of its formula is larger than the object.
-    if (!never && w.any_surface_of<scene::Ovus>(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
+    // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.
+    if (!never && (w.any_surface_of<scene::Ovus>(first_surface) ||
+                   w.any_surface_of<std::shared_ptr<const scene::SphereSweep>>(first_surface)))
+      w.blurred.push_back(static_cast<std::uint32_t>(i));
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;

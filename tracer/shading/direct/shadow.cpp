@@ -11,13 +11,14 @@
 namespace verisim::shading {
 namespace {
 
-// Surfaces may reach beyond their box, as those of a disc that cuts do, or of a copy with bounds.
-bool box_passes(const shapes::Shape& shape, const Ray& ray) {
+// Surfaces may reach beyond their box, as those of a disc that cuts do, or of a copy with bounds; and rounding moves
+// boxes that are far away behind the light.
+bool box_passes(const shapes::Shape& shape, const Ray& ray, double distance) {
   const scene::Object& o = *shape.object;
   if (o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
       o.as<scene::SmoothTriangle>() || o.as<scene::Poly>())
     return true;
-  return accel::slab_test(o.bounds).passes(ray);
+  return accel::slab_test(o.bounds).passes(ray, static_cast<float>(distance));
 }
 
 // What is tested before all others: what surfaces of this level remember, or, where the camera's rays remember nothing
@@ -57,7 +58,7 @@ void Tracer::begin_block() {
 bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance,
                                   RayState& ray, Rgb& color) {
   shapes::Hit hit;
-  if (!box_passes(remembered, ray.ray) ||
+  if (!box_passes(remembered, ray.ray, distance) ||
       !remembered.intersect(ray.ray, shapes::RayKind::shadow, kContactTolerance, distance, hit))
     return false;
   if (hit.shape->surface->object->no_shadow) return false;  // casts one in the search only

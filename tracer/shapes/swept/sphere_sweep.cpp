@@ -107,7 +107,9 @@ Box3 box_of(const std::vector<Segment>& segments) {
   return box;
 }
 
-enum Part : std::int32_t { joint, side, start_plane, end_plane };
+// `chord`: of a side, found as the ends of a chord through one of its spheres.
+enum Part : std::int32_t { joint, side, chord, start_plane, end_plane };
+constexpr std::int32_t kParts = 5;
 
 struct Intersection {
   double t, u;
@@ -127,6 +129,15 @@ bool touches_at_end(double (&power)[11]) {
   if (!(std::fabs(power[0]) > close && std::fabs(end) > close)) return true;
   power[0] -= std::copysign(close, power[0]);
   return false;
+}
+
+// Whether the Bernstein coefficients of a polynomial on [0, 1] have both signs; leading coefficient first.
+bool changes_sign(const double (&falling)[11]) {
+  double b[11];
+  for (int i = 0; i <= 10; ++i) b[i] = falling[10 - i] * bernstein::kBinomials.inverse[10][i];
+  bernstein::sum_binomials<10>(b);
+  const auto [least, most] = std::minmax_element(b, b + 11);
+  return *least < 0 && *most > 0;
 }
 
 // t^2 + B(u) t + K(u) = 0 where a ray meets the sphere at u of a segment. In powers of u.
@@ -188,6 +199,9 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
       finite = finite && accel::is_finite(boxes.back()) && !accel::is_empty(boxes.back());
     }
     if (segments_.size() > kFewParts && finite) tree_ = accel::Bvh(boxes);
+    constexpr double kAfar = 1e5;
+    const Box3 box = box_of(segments_);
+    if (!tree_.empty()) center_ = box.center(), far2_ = kAfar * kAfar * box.size().length2();
   }
 
   template <class Sink>
@@ -248,8 +262,8 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   }
 
   Vec3 geometric_normal(const Hit& hit) const {
-    const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
-    const auto part = static_cast<Part>(hit.part % 4);
+    const Segment& s = segments_[static_cast<std::size_t>(hit.part / kParts)];
+    const auto part = static_cast<Part>(hit.part % kParts);
     const Vec4 sphere = part == joint && hit.u == 1 ? s.end() : s.at(hit.u);
     Vec3 n;
     if (part == start_plane)
@@ -259,7 +273,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     else
       n = found_point(hit, moved_by()) - center_of(sphere);
     // Spheres are divided by their radius, all else is normalised; what has a matrix is normalised in the world again.
-    if (part == joint || (part == side && s.degree > 1))
+    if (part == joint || part == chord)
       n *= 1 / sphere.w;
     else if (n != Vec3(0))
       n = normalize(n);
@@ -271,7 +285,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
   // What lies behind the origin counts for nesting, too.
   template <class Meet>
   void each_segment_met(const LocalRay& l, Meet&& meet) const {
-    if (tree_.empty()) {
+    if (tree_.empty() || !((l.origin - center_).length2() < far2_)) {
       for (std::uint32_t i = 0; i < segments_.size(); ++i) meet(i);
       return;
     }
@@ -292,7 +306,7 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     const auto add = [&](const Intersection& c) {
       const double depth = c.t / l.scale;
       if (!(depth > tolerance_)) return;
-      add_found(sink, depth, l.origin + c.t * l.direction, moved_by(), c.segment * 4 + c.part, c.u);
+      add_found(sink, depth, l.origin + c.t * l.direction, moved_by(), c.segment * kParts + c.part, c.u);
     };
     add(all[0]);
     int depth = 1;
@@ -400,11 +414,11 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     all.add({t, end == start_plane ? 0.0 : 1.0, index, end, (end == start_plane) == (along > 0)});
   }
 
-  static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l,
+  static void add_side(const Segment& s, double u, double t, std::int32_t index, Part part, const LocalRay& l,
                        Scratch<Intersection>& all) {
     if (!(std::fabs(t) < kFarthest)) return;
     const Vec3 n = l.origin + t * l.direction - center_of(s.at(u));
-    all.add({t, u, index, side, dot(n, l.direction) < 0});
+    all.add({t, u, index, part, dot(n, l.direction) < 0});
   }
 
   void linear_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) const {
@@ -422,10 +436,10 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
       if (!(u >= 0 && u <= 1)) continue;
       double near, far;
       if (std::fabs(d) > kAcross) {
-        add_side(s, u, -(2 * a * u + b) / d, index, l, all);
+        add_side(s, u, -(2 * a * u + b) / d, index, side, l, all);
       } else if (sphere_chord(s.at(u), l, near, far)) {
-        add_side(s, u, near, index, l, all);
-        add_side(s, u, far, index, l, all);
+        add_side(s, u, near, index, chord, l, all);
+        add_side(s, u, far, index, chord, l, all);
       }
     }
   }
@@ -435,6 +449,8 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
     double touching[11], roots[10];
     [&]<std::size_t... N>(std::index_sequence<N...>) { ((touching[10 - N] = spheres.touching<N>()), ...); }
     (std::make_index_sequence<11>());
+    // POV-Ray looks for no roots then, not even for one at 0, which a polynomial along a ray from afar often has.
+    if (!changes_sign(touching)) return;
     const int count = solve_polynomial(10, touching, roots, true, 0, 0, 1);
     for (int i = 0; i < count; ++i) {
       const double u = roots[i];
@@ -442,13 +458,16 @@ class SphereSweep final : public SearchPrimitive<SphereSweep> {
       if (!(u >= 0 && u <= 1)) continue;
       const Vec4 sphere = s.at(u);
       // Only one end of the chord lies on the envelope, but POV-Ray reports both.
-      if (sphere_chord(sphere, l, enter, leave)) add_chord(enter, leave, u, index, side, sphere.w, all);
+      if (sphere_chord(sphere, l, enter, leave)) add_chord(enter, leave, u, index, chord, sphere.w, all);
     }
   }
 
   std::vector<Segment> segments_;
   double tolerance_;
   accel::Bvh tree_;
+  // From farther away rounding has rays meet segments that they pass by.
+  Vec3 center_{0, 0, 0};
+  double far2_ = HUGE_VAL;
 };
 
 }  // namespace

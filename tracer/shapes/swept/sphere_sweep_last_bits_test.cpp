@@ -186,6 +186,53 @@ TEST(LastBits, SphereSweepAcrossTheRay) {
                 {3.0387354854610757e-09, -4.558103228191613e-09, -1.0000000000000002}}});
 }
 
+// At such distances all is rounding. Rays along which the polynomial has a root at 0 and Bernstein coefficients of one
+// sign meet nothing.
+TEST(LastBits, SphereSweepFromAfar) {
+  const ObjectRef sweep =
+      sweep_of(scene::SplineKind::cubic, {{-2, 0, 0}, {-1, 1, 0}, {1, 0, 0}, {2, -1, 0}}, {0.2, 0.2, 0.2, 0.2}, {});
+  expect_bits(sweep, {{{7911007773, 1925173610, -5806002289},
+                       normalize(Vec3(1.25, 6.875, -6) - Vec3(7911007773, 1925173610, -5806002289)),
+                       {98.42333698272705078, 30.52249860763549805, -77.31690883636474609},
+                       {488.33736841118059147, 151.80368171588077075, -386.58454418182367363}},
+                      {{-3424552633, 5865258345, -7339699163},
+                       normalize(Vec3(8, 5.375, -7.125) - Vec3(-3424552633, 5865258345, -7339699163)),
+                       {-34.18337631225585938, 77.62280178070068359, -97.53485012054443359},
+                       {-167.14844806571687741, 383.30946391421804265, -487.67425060272216797}}});
+  for (const auto& [from, to] : {std::pair<Vec3, Vec3>({1192603287, 7794931848, 6149531272}, {5.5, 4.75, -1.625}),
+                                 {{6694507135, 7243127953, -1649445863}, {2.25, 6.625, -1.875}},
+                                 {{9910923894, 1221963867, -529520417}, {4.125, 2.625, -7.375}}})
+    EXPECT_FALSE(query::Target(sweep).trace(from, normalize(to - from))) << from;
+}
+
+// From farther away than its parts are large, rounding has a ray meet one that it passes by.
+TEST(LastBits, PartsOfASphereSweepFromAfar) {
+  expect_bits(sweep_of(scene::SplineKind::b_spline, {{-2, 0, 0}, {-1, 1, 0}, {1, 0, 0}, {2, -1, 1}, {3, 1, 0}},
+                       {0.2, 0.3, 0.2, 0.4, 0.2}, {}),
+              {{{423864046, -898379026, 115127739},
+                normalize(Vec3(2.875, -2.5, 1.875) - Vec3(423864046, -898379026, 115127739)),
+                {9.4649355411529541, -16.46735572814941406, 3.66492386162281036},
+                {37.50471242753086898, -67.33647380011596795, 14.50116133403186147}},
+               {{-21985767, 999542250, -20782588},
+                normalize(Vec3(4.25, 1.375, -1.625) - Vec3(-21985767, 999542250, -20782588)),
+                {4.0204177051782608, 11.81253254413604736, -1.84201826155185699},
+                {15.86582004629385878, 45.21504093603073926, -7.4186655812353699}}});
+}
+
+// Along axes a linear one is met at chords through its spheres, whose normals are divided by the radius.
+TEST(LastBits, LinearSphereSweepAcrossTheRay) {
+  expect_bits(make(std::make_shared<const scene::SphereSweep>(scene::SphereSweep{
+                  scene::SplineKind::linear, {{-2, 0, 0}, {-1, 1, 0}, {1, 0, 0}}, {0.2, 0.3, 0.2}, 1e-6})),
+              {{{-1.4, 0.5, -4},
+                {0, 0, 1},
+                {-1.39999999999999991, 0.5, -0.24566594960223709},
+                {0.14509803921568665, -0.24509803921568624, -0.95857890138912116}},
+               {{1, 0.2, -4},
+                {0, 0, 1},
+                {1, 0.20000000000000001, -0.09848552582788628},
+                {0.43137254901960931, 0.76274509803921486, -0.48180664105995341}}});
+}
+
 TEST(LastBits, SphereSweepOfNegativeRadii) {
   expect_bits(
       sweep_of(scene::SplineKind::cubic, {{-1, 0, 0}, {-1, 0.1, 0}, {0, 1, 0}, {0, 1, 0.1}, {1, 0, 0}, {1, 0, 0}},

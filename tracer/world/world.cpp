@@ -125,16 +125,8 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     e.test_box = !is_empty(box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
-    e.ranked = !e.infinite && !w.in_order;
-    if (e.ranked) e.exact_within = kFewLastBits * *std::ranges::max_element(o.bounds.size);
-    e.edged = e.ranked && may_run_along_edges(o);
-    // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula.
-    e.strays = !e.infinite && !is_empty(box) &&
-               (!encloses(box, shape->bounds()) || w.any_surface_of<std::shared_ptr<const scene::Sor>>(first_surface));
-    // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.
-    if (!never && (w.any_surface_of<scene::Ovus>(first_surface) ||
-                   w.any_surface_of<std::shared_ptr<const scene::SphereSweep>>(first_surface)))
-      w.blurred.push_back(static_cast<std::uint32_t>(i));
+    w.find_rounding(e, first_surface);
+    if (!never && w.blurs(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
@@ -174,6 +166,22 @@ Opacity World::Impl::opacity_of(std::size_t first) {
   std::size_t opaque = 0;
   for (std::size_t s = first; s < surfaces.size(); ++s) opaque += surfaces[s].opaque;
   return opaque == surfaces.size() - first ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
+}
+
+void World::Impl::find_rounding(Entry& e, std::size_t first) {
+  const scene::Object& o = *e.object;
+  const Box3 box = e.box();
+  e.ranked = !e.infinite && !in_order;
+  if (e.ranked) e.exact_within = kFewLastBits * *std::ranges::max_element(o.bounds.size);
+  e.edged = e.ranked && may_run_along_edges(o);
+  // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula.
+  e.strays = !e.infinite && !is_empty(box) &&
+             (!encloses(box, e.shape->bounds()) || any_surface_of<std::shared_ptr<const scene::Sor>>(first));
+}
+
+// POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.
+bool World::Impl::blurs(std::size_t first) {
+  return any_surface_of<scene::Ovus>(first) || any_surface_of<std::shared_ptr<const scene::SphereSweep>>(first);
 }
 
 template <class Kind>

@@ -239,6 +239,9 @@ struct World::Impl {
   }
   // Of a frame-level object's surfaces, which are those from `first` on.
   Opacity opacity_of(std::size_t first);
+  // How rounding decides whether the entry is met.
+  void find_rounding(Entry& e, std::size_t first);
+  bool blurs(std::size_t first);
   template <class Kind>
   bool any_surface_of(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);

@@ -141,6 +141,9 @@ class Shape : public scene::Solid {
   // the shape lives.
   virtual SimpleSolid simple() const { return {}; }
 
+  // Rounding may have moved hits of this ray out of bounds().
+  virtual bool strays(const Ray& /*ray*/) const { return false; }
+
   // Some level of CSG above takes the hits of this primitive in reverse: of equally near ones the first wins (spec
   // 03 5.2).
   virtual void turn_hits() {}

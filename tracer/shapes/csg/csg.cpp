@@ -44,14 +44,14 @@ class Sum : public CsgShape {
 
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const final {
-    const CsgTree* tree = asks_all() ? nullptr : this->tree();
+    const CsgTree* tree = asks_all(rays) ? nullptr : this->tree();
     if (!tree || std::popcount(rays.active) < CsgTree::kMin)
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     return tree->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
   }
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
                            const double* t_max) const final {
-    const CsgTree* tree = asks_all() ? nullptr : this->tree();
+    const CsgTree* tree = asks_all(rays) ? nullptr : this->tree();
     if (!tree || std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     return tree->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
   }
@@ -92,7 +92,7 @@ class Union final : public Sum {
   Union(const scene::Object& description, Children children) : Sum(description, std::move(children), false) {}
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
-    if (asks_all()) return all_of_children(ray, kind, hits, seen_by(kind), kAny);
+    if (asks_all(ray)) return all_of_children(ray, kind, hits, seen_by(kind), kAny);
     if (guards_ && !guards_->admit(ray)) return;
     const std::size_t begin = hits.size();
     surfaces_.in_order(ray, 0, 2e10, [&](std::uint32_t i) {
@@ -109,7 +109,7 @@ class Union final : public Sum {
     return nearest(ray, kind, t_min, t_max, &clips, hit);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
-    if (asks_all()) return Shape::occludes(ray, t_min, t_max);
+    if (asks_all(ray)) return Shape::occludes(ray, t_min, t_max);
     if (const CsgTree* tree = this->tree())
       return tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr});
     if (guards_ && !guards_->admit(ray)) return false;
@@ -128,7 +128,7 @@ class Union final : public Sum {
   static constexpr auto kAny = [](const Vec3&, std::uint32_t) { return true; };
   // `clips`: those of the unions around this one, or null.
   bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
-    if (asks_all()) return nearest_of_all(ray, kind, t_min, t_max, clips, hit, seen_by(kind), kAny);
+    if (asks_all(ray)) return nearest_of_all(ray, kind, t_min, t_max, clips, hit, seen_by(kind), kAny);
     if (const CsgTree* tree = this->tree()) return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), clips}, hit);
     if (!guards_) return nearest_of_children(ray, kind, t_min, t_max, t_min, t_max, clips, hit);
     double near = t_min, far = t_max;
@@ -161,7 +161,7 @@ class Merge final : public Sum {
   Merge(const scene::Object& description, Children children) : Sum(description, std::move(children), true) {}
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
-    if (asks_all()) return all_of_children(ray, kind, hits, seen_by(kind), outside_others(kind));
+    if (asks_all(ray)) return all_of_children(ray, kind, hits, seen_by(kind), outside_others(kind));
     if (guards_ && !guards_->admit(ray)) return;
     surfaces_.in_order(ray, 0, 2e10, [&](std::uint32_t i) {
       if (hidden(i, kind)) return;
@@ -179,14 +179,14 @@ class Merge final : public Sum {
     return nearest(ray, kind, t_min, t_max, &clips, hit);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
-    const CsgTree* tree = asks_all() ? nullptr : this->tree();
+    const CsgTree* tree = asks_all(ray) ? nullptr : this->tree();
     return tree ? tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
                 : Shape::occludes(ray, t_min, t_max);
   }
 
  private:
   bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
-    if (asks_all()) return nearest_of_all(ray, kind, t_min, t_max, clips, hit, seen_by(kind), outside_others(kind));
+    if (asks_all(ray)) return nearest_of_all(ray, kind, t_min, t_max, clips, hit, seen_by(kind), outside_others(kind));
     if (const CsgTree* tree = this->tree()) return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), clips}, hit);
     if (guards_ && !guards_->admit(ray)) return false;
     ScratchOwners owners;

@@ -63,7 +63,7 @@ class Intersection final : public CsgShape {
   }
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
-    if (asks_all())
+    if (asks_all(ray))
       return all_of_children(
           ray, kind, hits, [](std::uint32_t) { return true; },
           [&](const Vec3& p, std::uint32_t i) { return inside_others(p, i); });
@@ -80,7 +80,7 @@ class Intersection final : public CsgShape {
   }
 
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
-    if (asks_all()) return nearest_of_all(ray, kind, t_min, t_max, hit);
+    if (asks_all(ray)) return nearest_of_all(ray, kind, t_min, t_max, hit);
     if (const CsgTree* tree = this->tree())
       return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), nullptr}, hit);
     Way way;
@@ -88,14 +88,14 @@ class Intersection final : public CsgShape {
   }
   bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
                          Hit& hit) const override {
-    if (asks_all()) return nearest_of_all(ray, kind, t_min, t_max, hit, &clips);
+    if (asks_all(ray)) return nearest_of_all(ray, kind, t_min, t_max, hit, &clips);
     if (const CsgTree* tree = this->tree())
       return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), &clips}, hit);
     Way way;
     return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit, &clips);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
-    if (Hit hit; asks_all()) return nearest_of_all(ray, RayKind::shadow, t_min, t_max, hit);
+    if (Hit hit; asks_all(ray)) return nearest_of_all(ray, RayKind::shadow, t_min, t_max, hit);
     if (const CsgTree* tree = this->tree())
       return tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr});
     Way way;
@@ -105,7 +105,7 @@ class Intersection final : public CsgShape {
   // The box and the planes decide for all rays at once which of them need be looked at.
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const override {
-    if (std::popcount(rays.active) < CsgTree::kMin || asks_all())
+    if (std::popcount(rays.active) < CsgTree::kMin || asks_all(rays))
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     if (const CsgTree* tree = this->tree())
       return tree->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
@@ -117,7 +117,7 @@ class Intersection final : public CsgShape {
   }
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
                            const double* t_max) const override {
-    if (std::popcount(rays.active) < CsgTree::kMin || asks_all())
+    if (std::popcount(rays.active) < CsgTree::kMin || asks_all(rays))
       return Shape::occludes_packet(rays, entry, t_min, t_max);
     if (const CsgTree* tree = this->tree())
       return tree->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});

@@ -117,6 +117,12 @@ class Sor final : public Primitive<Sor> {
     return false;
   }
 
+  // The coefficients of a ray that hardly rises have lost what tells its roots from each other.
+  bool strays(const Ray& ray) const override {
+    constexpr double kLevel = 0.01;
+    return std::fabs(unit_local(ray).direction.y) < kLevel;
+  }
+
   Vec3 geometric_normal(const Hit& hit) const {
     if (hit.part == kBase) return world_normal({0, -1, 0});
     if (hit.part == kCap) return world_normal({0, 1, 0});

@@ -37,14 +37,18 @@ struct Sink {
   }
   // Large scenes are mostly literal vectors: one token for each saves memory and time. Not behind what may be an
   // operand, where '<' may be "less than".
-  static bool may_precede_vector(const Token& previous) {
+  bool may_precede_vector(std::size_t at) const {
+    const auto is_color_word = [](const Token& token) {
+      return token.kind == TokenKind::word && word_class(token.word) == WordClass::color;
+    };
+    const Token& previous = tokens[at - 1];
     switch (previous.kind) {
       case TokenKind::punctuation:
         return previous.punctuation != ')' && previous.punctuation != ']' && previous.punctuation != '>';
       case TokenKind::word:
-        return word_class(previous.word) == WordClass::keyword || word_class(previous.word) == WordClass::color;
-      case TokenKind::vector:
-        return true;
+        return word_class(previous.word) == WordClass::keyword || is_color_word(previous);
+      case TokenKind::vector:  // that of a color may be an operand
+        return at < 2 || !is_color_word(tokens[at - 2]);
       default:
         return false;
     }
@@ -63,7 +67,7 @@ struct Sink {
       if (before == '<') break;
       if (before != ',') return;
     }
-    if (terms < 2 || at < 1 || tokens[at].kind != TokenKind::punctuation || !may_precede_vector(tokens[at - 1])) return;
+    if (terms < 2 || at < 1 || tokens[at].kind != TokenKind::punctuation || !may_precede_vector(at)) return;
     if (numbers.size() + terms > 0xffffffffu) return;
     tokens[at].kind = TokenKind::vector;
     tokens[at].payload = numbers.size() | (std::uint64_t{terms} << 32);
@@ -183,7 +187,7 @@ struct Number : TokenScanner<Number> {
 struct Vector : TokenScanner<Vector> {
   using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char* last) const {
-    if (*first != '<' || sink->tokens.empty() || !Sink::may_precede_vector(sink->tokens.back()) ||
+    if (*first != '<' || sink->tokens.empty() || !sink->may_precede_vector(sink->tokens.size()) ||
         sink->numbers.size() + 5 > 0xffffffffu)
       return false;
     const char* p = first + 1;

@@ -124,6 +124,8 @@ warp{cubic}}})",
     R"(#declare A=array[2]{rgb 1,rgb 0}; sphere{0,1 pigment{color A[1]}})",
     R"(#macro M() rgb 1 #end sphere{0,1 pigment{M()}})",
     R"(#macro M(c) pigment{c} #end sphere{0,1 M(rgb 1)})",
+    R"(#macro M(c,by) sphere{0,1 pigment{rgb c} translate by} #end M(<1,0,.5> <1,2,3>))",
+    R"(#macro M(c,by) sphere{0,1 pigment{c} translate by} #end M(rgb <1,0,.5>, <1,2,3>))",
     R"(#declare F=function{pigment{bozo}}; sphere{0,1 pigment{color F(1,2,3)}})",
     R"(#declare F=function{pigment{bozo}}; sphere{0,1 pigment{rgb F(1,2,3)}})",
     R"(sphere{0,1 pigment{color red 1 green .5}})",
@@ -154,6 +156,7 @@ warp{cubic}}})",
 };
 
 constexpr const char* kRefusedTextures[] = {
+    R"(#macro M(c,by) sphere{0,1 pigment{c} translate by} #end M(rgb <1,0,.5> <1,2,3>))",
     R"(#version 2.0; sphere{0,1 texture{agate agate_turb .5}})",
     R"(#version 2.0; sphere{0,1 pigment{color red 1 color_map{[0 1 color red 1 color blue 1]}}})",
     R"(#version 2.0; sphere{0,1 texture{color red 1 ambient color red 1}})",

@@ -68,8 +68,8 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     s.opaque = s.opaque && rest.extra_textures.back() && rest.extra_textures.back()->opaque;
   }
   const auto flag = [](const textures::CompiledTexture* texture) { return texture && flagged_opaque(*texture); };
-  // A mesh is opaque if it is so from outside.
-  const bool from_outside = !s.interior_texture || o.as<scene::Mesh>();
+  // A mesh or a blob is opaque if it is so from outside.
+  const bool from_outside = !s.interior_texture || o.as<scene::Mesh>() || o.as<std::shared_ptr<const scene::Blob>>();
   const bool flagged =
       was_flagged_opaque(o, compiler) ||
       (flag(s.texture) && std::ranges::all_of(rest.extra_textures, flag) && (from_outside || flag(s.interior_texture)));

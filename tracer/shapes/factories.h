@@ -10,10 +10,6 @@ namespace verisim::shapes {
 VERISIM_SHAPES(VERISIM_SHAPE)
 #undef VERISIM_SHAPE
 
-// A child of a CSG object that is asked as a whole: a height field then reports hits that it else ends its search
-// before.
-void join_csg(Shape& shape);
-
 // False: the patch would be divided into more pieces than fit into memory.
 bool bicubic_patch_fits(const scene::BicubicPatch& patch);
 

@@ -144,6 +144,10 @@ class Shape : public scene::Solid {
   // Rounding may have moved hits of this ray out of bounds().
   virtual bool strays(const Ray& /*ray*/) const { return false; }
 
+  // It is part of CSG, or of a union that stays whole: POV-Ray asks for all of its hits, where else height fields and
+  // fractals end their search.
+  virtual void join_csg() {}
+
   // Some level of CSG above takes the hits of this primitive in reverse: of equally near ones the first wins (spec
   // 03 5.2).
   virtual void turn_hits() {}

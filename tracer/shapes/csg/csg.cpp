@@ -237,7 +237,7 @@ std::unique_ptr<Shape> compile_part(const scene::Object& object, bool turned) {
     if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
     const bool turns = turned != tests_hits;
     children.push_back(child->as<scene::Csg>() ? compile_part(*child, turns) : compile(*child));
-    join_csg(*children.back());
+    children.back()->join_csg();
     if (turns) children.back()->turn_hits();
     if (kind == scene::CsgKind::intersection && is_flagged_text(*child))
       children.back() = as_letters(std::move(children.back()));

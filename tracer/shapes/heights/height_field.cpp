@@ -88,7 +88,7 @@ class HeightField final : public Primitive<HeightField> {
         grid_(std::move(grid)) {}
 
  public:
-  void join_csg() { in_csg_ = true; }
+  void join_csg() override { in_csg_ = true; }
   static Box3 grid_box(double cells_x, double cells_z, const HeightGrid::Limits& limits) {
     return Box3({0, limits.bottom, 0}, {cells_x, limits.top, cells_z});
   }
@@ -302,9 +302,6 @@ class HeightField final : public Primitive<HeightField> {
 std::unique_ptr<Shape> compile_height_field(const scene::Object& object) {
   return compile_in_frame<HeightField>(object, *object.as<std::shared_ptr<const scene::HeightField>>(),
                                        [](const auto& field) { return height_field_frame(*field); });
-}
-void join_csg(Shape& shape) {
-  if (auto* field = dynamic_cast<HeightField*>(&shape)) field->join_csg();
 }
 Box3 height_field_box(const scene::HeightField& field) {
   const HeightGrid::Cells cells = HeightGrid::cells(field);

@@ -33,16 +33,18 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
           const Vec3 in_world = world(point);
           const double distance = depth / r.scale;
           // Too near to be seen: by rays of subsurface light neither, which see what is nearer of other shapes.
-          if (distance < kNearest) return Sink::kNearest && !sink.clipped(in_world);
+          if (distance < kNearest) return Sink::kNearest && !in_csg_ && !sink.clipped(in_world);
           const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
           const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
-          sink.add(
+          const bool taken = sink.add(
               distance, [&] { return in_world; }, kept.axis, kept.u, v);
           // Outside CSG the march ends with the first hit, even one too near: refracted rays often do not meet the far
           // side.
-          return Sink::kNearest && !sink.clipped(in_world);
+          return Sink::kNearest && (in_csg_ ? taken || distance >= sink.upper() : !sink.clipped(in_world));
         });
   }
+
+  void join_csg() override { in_csg_ = true; }
 
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const final {
@@ -50,11 +52,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     double t[julia::kLanes];
     julia::Points points;
-    const unsigned found = within(t, t_min, t_max, batch_intersections(rays, t_max, t, points));
+    const unsigned crossed = batch_intersections(rays, t_max, t, points);
+    unsigned found = within(t, t_min, t_max, crossed);
     each_lane(found, [&](int k) {
       const Vec3 in_world = world(points[k]);
       hits[k] = {t[k], in_world, this, 0, 0, keep_local(points[k], in_world)};
     });
+    each_lane(march_on(t, t_min, crossed),
+              [&](int k) { found |= intersect(rays.at(k), kind, t_min, t_max[k], hits[k]) ? 1u << k : 0; });
     return found;
   }
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
@@ -62,7 +67,11 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     if (!in_batches_ || std::popcount(rays.active) < kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     double t[julia::kLanes];
     julia::Points points;
-    return within(t, t_min, t_max, batch_intersections(rays, t_max, t, points));
+    const unsigned crossed = batch_intersections(rays, t_max, t, points);
+    unsigned found = within(t, t_min, t_max, crossed);
+    each_lane(march_on(t, t_min, crossed),
+              [&](int k) { found |= occludes(rays.at(k), t_min, t_max[k]) ? 1u << k : 0; });
+    return found;
   }
 
   bool contains(const Vec3& p) const { return iteration_.inside(local(p)); }
@@ -164,6 +173,13 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return result;
   }
 
+  // The lanes whose march goes on behind a hit that is too near.
+  unsigned march_on(const double* t, double t_min, unsigned lanes) const {
+    unsigned result = 0;
+    if (in_csg_) each_lane(lanes, [&](int k) { result |= t[k] < t_min ? 1u << k : 0; });
+    return result;
+  }
+
   using MapPtr = std::shared_ptr<const julia::Map>;
 
   JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
@@ -184,7 +200,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   const julia::Field& field_ = iteration_.field();
   double radius_;
   std::shared_ptr<const julia::Map> map_;  // null: none for this function
-  bool in_batches_;                        // rays may march in step: the first intersection of each decides
+  bool in_csg_ = false;
+  bool in_batches_;  // rays may march in step: the first intersection of each decides
 };
 
 }  // namespace

@@ -141,8 +141,9 @@ class Shape : public scene::Solid {
   // the shape lives.
   virtual SimpleSolid simple() const { return {}; }
 
-  // Rounding may have moved hits of this ray out of bounds().
-  virtual bool strays(const Ray& /*ray*/) const { return false; }
+  // Distances of hits may lead out of bounds(): those of some rays; those of this ray.
+  virtual bool may_stray() const { return false; }
+  virtual bool strays(const Ray& /*ray*/) const { return may_stray(); }
 
   // It is part of CSG, or of a union that stays whole: POV-Ray asks for all of its hits, where else height fields and
   // fractals end their search.

@@ -73,6 +73,10 @@ bool encloses(const Box3& pov, const Box3& surface) {
   return !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
 }
 
+bool may_stray(const Shape& shape) {
+  return shape.may_stray() || std::ranges::any_of(shape.children(), [](const auto& c) { return may_stray(*c); });
+}
+
 // The surface and all that it encloses lie in a finite box.
 bool within_finite_box(const Shape& shape) {
   const Box3 surface = shape.bounds();
@@ -125,7 +129,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     e.test_box = !is_empty(box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
-    w.find_rounding(e, first_surface);
+    w.find_rounding(e);
     if (!never && w.blurs(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
@@ -168,15 +172,15 @@ Opacity World::Impl::opacity_of(std::size_t first) {
   return opaque == surfaces.size() - first ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
 }
 
-void World::Impl::find_rounding(Entry& e, std::size_t first) {
+void World::Impl::find_rounding(Entry& e) {
   const scene::Object& o = *e.object;
   const Box3 box = e.box();
   e.ranked = !e.infinite && !in_order;
   if (e.ranked) e.exact_within = kFewLastBits * *std::ranges::max_element(o.bounds.size);
   e.edged = e.ranked && may_run_along_edges(o);
-  // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula.
-  e.strays = !e.infinite && !is_empty(box) &&
-             (!encloses(box, e.shape->bounds()) || any_surface_of<std::shared_ptr<const scene::Sor>>(first));
+  // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula; and fractals in CSG say
+  // that their hits are nearer than they are.
+  e.strays = !e.infinite && !is_empty(box) && (!encloses(box, e.shape->bounds()) || may_stray(*e.shape));
 }
 
 // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.

@@ -68,7 +68,7 @@ struct Entry {
     return box;
   }
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
-    double near = t_min, far = t_max;
+    double near = t_min, far = strays ? HUGE_VAL : t_max;
     return (!test_box || clip_to_box(ray, box_of_hits(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
@@ -240,7 +240,7 @@ struct World::Impl {
   // Of a frame-level object's surfaces, which are those from `first` on.
   Opacity opacity_of(std::size_t first);
   // How rounding decides whether the entry is met.
-  void find_rounding(Entry& e, std::size_t first);
+  void find_rounding(Entry& e);
   bool blurs(std::size_t first);
   template <class Kind>
   bool any_surface_of(std::size_t first);

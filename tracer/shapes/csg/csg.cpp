@@ -59,12 +59,8 @@ class Sum : public CsgShape {
  protected:
   // Of few and mostly simple parts (else null): finds the same in less time.
   const CsgTree* tree() const {
-    return tree_.get([&]() -> std::unique_ptr<const CsgTree> {
-      // The nearest of a union is looked for within boxes, which what reports other distances may reach out of.
-      const bool merge = object->as<scene::Csg>()->kind == scene::CsgKind::merge;
-      if (!merge && !reports_true_distances(*this)) return nullptr;
-      return CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {});
-    });
+    return tree_.get(
+        [&] { return CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {}); });
   }
   bool hidden(std::uint32_t i, RayKind kind) const { return hidden_[i] >> static_cast<unsigned>(kind) & 1; }
   auto seen_by(RayKind kind) const {

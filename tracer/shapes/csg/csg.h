@@ -36,9 +36,14 @@ class CsgShape : public Shape {
   CsgShape(const scene::Object& description, Children children)
       : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {
     holds_isosurface_ = std::ranges::any_of(children_, [](const auto& c) { return holds_isosurface(*c); });
-    for (const auto& c : children_) add_straying(*c);
+    for (const auto& c : children_)
+      if (c->may_stray()) straying_.push_back(c.get());
   }
 
+  bool may_stray() const final { return !straying_.empty(); }
+  bool strays(const Ray& ray) const final {
+    return std::ranges::any_of(straying_, [&](const Shape* child) { return child->strays(ray); });
+  }
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && inside_unclipped(p); }
   Vec3 normal(const Hit&) const final { return Vec3(0); }  // hits belong to primitives
   std::span<const std::unique_ptr<Shape>> clips() const final { return clips_of(guards_.get()); }
@@ -51,10 +56,7 @@ class CsgShape : public Shape {
 
   // POV-Ray asks all children, whatever the others have met, and wherever their boxes are. With --replay isosurfaces
   // remember each search (spec 04 6.3), and what strays out of its box may come before what is met sooner.
-  bool asks_all(const Ray& ray) const {
-    return (holds_isosurface_ && last_miss().kept) ||
-           std::ranges::any_of(straying_, [&](const Shape* shape) { return shape->strays(ray); });
-  }
+  bool asks_all(const Ray& ray) const { return (holds_isosurface_ && last_miss().kept) || strays(ray); }
   bool asks_all(const RayPacket& rays) const {
     if (straying_.empty()) return holds_isosurface_ && last_miss().kept;
     bool any = false;
@@ -64,10 +66,6 @@ class CsgShape : public Shape {
   static bool holds_isosurface(const Shape& shape) {
     return shape.object->as<std::shared_ptr<const scene::Isosurface>>() ||
            std::ranges::any_of(shape.children(), [](const auto& c) { return holds_isosurface(*c); });
-  }
-  void add_straying(const Shape& shape) {
-    if (shape.object->as<std::shared_ptr<const scene::Sor>>()) straying_.push_back(&shape);
-    for (const auto& c : shape.children()) add_straying(*c);
   }
   // All hits of the children that `asked` lets be asked, which keep(point, child) accepts.
   template <class Asked, class Keep>
@@ -153,7 +151,7 @@ class CsgShape : public Shape {
   Box3 bounds_;
   SolidExtent solid_;
   bool holds_isosurface_ = false;
-  std::vector<const Shape*> straying_;  // of the parts, however deep, those that may
+  std::vector<const Shape*> straying_;  // the children that may
 };
 
 // intersection.cpp; the others are in csg.cpp.

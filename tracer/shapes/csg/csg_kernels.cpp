@@ -56,9 +56,7 @@ HWY_INLINE void ask_other(const Search<PacketOf<1>>& s, const CsgNode& n, const 
 template <class Number, class Rays>
 [[gnu::noinline]] void cross_other(Search<Number>& s, const CsgNode& n, const Rays& rays, unsigned lanes) {
   alignas(64) double from[Number::kCount], to[Number::kCount];
-  const bool within_core = s.tree.true_distances;
-  store(from, within_core ? max(s.enter, s.query.t_min) : Number(s.query.t_min)),
-      store(to, within_core ? min(s.leave, s.best) : s.best);
+  store(from, max(s.enter, s.query.t_min)), store(to, min(s.leave, s.best));
   LaneHits hits(s.others->list());
   ask_other(s, n, rays, lanes, from, to, hits);
   each_lane(lanes, [&](int k) {
@@ -76,10 +74,7 @@ template <class Number, class Rays>
     });
     const Number at = Number::load(t);
     const typename Number::Mask valid = Number::Mask::of_bits(now);
-    const unsigned taken = s.tree.true_distances
-                               ? wanted(s, at, valid)
-                               : bits(valid & (at >= s.query.t_min) & (at < s.t_max) & (at <= s.best)) & s.open;
-    if (taken != 0)
+    if (const unsigned taken = wanted(s, at, valid); taken != 0)
       consider_at(s, n, at, taken, {Number::load(x), Number::load(y), Number::load(z)}, IntsFor<Number>::load(part));
   }
 }

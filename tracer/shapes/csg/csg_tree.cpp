@@ -213,14 +213,6 @@ unsigned hidden_from(const scene::Object& child, bool merge) {
   return bits;
 }
 
-bool reports_true_distances(const Shape& shape) {
-  const scene::Object& o = *shape.object;
-  if (o.as<std::shared_ptr<const scene::JuliaFractal>>() || o.as<std::shared_ptr<const scene::Parametric>>())
-    return false;
-  return std::all_of(shape.children().begin(), shape.children().end(),
-                     [](const auto& c) { return reports_true_distances(*c); });
-}
-
 std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
                                            const Box3& limit, std::span<const InteriorProxy> proxies, int set) {
   const CsgKernels* const kernels = set == kBest ? &csg_kernels() : csg_kernels(set);
@@ -243,8 +235,6 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   builder.add_clips();
   std::vector<CsgTest> path;
   builder.add_tests(0, path);
-  tree->true_distances =
-      std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
   tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
   tree->proxies.assign(proxies.begin(), proxies.end());
   return tree;

@@ -105,8 +105,7 @@ class CsgTree {
   Box3 limit;
   bool bounded = false;  // by `limit`
   bool any_boxed = false, any_other = false;
-  bool true_distances = true;  // hits are where their distances say
-  std::uint32_t core = 0;      // its node, 0: none
+  std::uint32_t core = 0;  // its node, 0: none
 
  private:
   struct Builder;
@@ -116,8 +115,5 @@ class CsgTree {
 
 // Which kinds of rays do not see a child of an undissolved union or of a merge (spec 03 5.5), as bits.
 unsigned hidden_from(const scene::Object& child, bool merge);
-
-// The points of a shape's hits are where their distances say.
-bool reports_true_distances(const Shape& shape);
 
 }  // namespace verisim::shapes

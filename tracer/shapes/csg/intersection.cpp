@@ -54,11 +54,9 @@ class Intersection final : public CsgShape {
     set_extent(sheet, bounded_ ? SolidExtent{solid, false} : SolidExtent{complement, true});
     limit_ = bounded_ ? solid : everywhere();
     for (const auto& child : children_) nested_.push_back(!child->children().empty());
-    true_distances_ =
-        std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); });
     // Between planes, and mostly within a convex child; what else cuts off a first hit makes all of them be asked for
     // again.
-    firsts_survive_ = true_distances_ && (core_ || static_cast<std::size_t>(planes_.size()) + 1 == children_.size());
+    firsts_survive_ = core_ || static_cast<std::size_t>(planes_.size()) + 1 == children_.size();
     find_proxies();
   }
 
@@ -214,7 +212,6 @@ class Intersection final : public CsgShape {
   // Convex children that are taken away and leave little of the solid's box.
   void find_proxies() {
     constexpr double kSmallest = 0.1;  // of the box
-    if (!true_distances_) return;
     for (const auto& child : children_) {
       const Box3 box = common(child->bounds(), limit_);
       if (!child->object->inverted || accel::is_empty(box) || !(volume(box) >= kSmallest * volume(limit_))) continue;
@@ -242,7 +239,7 @@ class Intersection final : public CsgShape {
     const auto survives = [&](const Vec3& p, std::uint32_t self) {
       return inside_others(p, self) && within_clips(p, clips);
     };
-    const bool core_known = true_distances_ && way.core.count > 0;
+    const bool core_known = way.core.count > 0;
     if (core_known) keep_first(ray, t_min, t_max, way, survives);
     ScratchOwners owners;
     ScratchHits hits;
@@ -360,7 +357,7 @@ class Intersection final : public CsgShape {
   std::uint32_t core_child_ = 0;
   std::vector<bool>
       nested_;  // the children that are CSG objects: their first hit is the only one that matters, if it survives
-  bool true_distances_ = false, firsts_survive_ = false;
+  bool firsts_survive_ = false;
   std::vector<InteriorProxy> proxies_;
   TreeOnDemand tree_;
 };

@@ -107,6 +107,8 @@ class Parametric final : public Primitive<Parametric> {
           best, [&] { return ray.at(best); }, 0, u, v);
   }
 
+  // Hits lie before boxes of small pieces.
+  bool may_stray() const override { return true; }
   bool contains(const Vec3&) const { return false; }
   bool formula(const Vec3&) const { return false; }
 

@@ -45,6 +45,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
   void join_csg() override { in_csg_ = true; }
+  // Hits behind the first are said to be nearer than they are (spec 04 8).
+  bool may_stray() const override { return in_csg_; }
 
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const final {

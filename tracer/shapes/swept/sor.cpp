@@ -118,6 +118,7 @@ class Sor final : public Primitive<Sor> {
   }
 
   // The coefficients of a ray that hardly rises have lost what tells its roots from each other.
+  bool may_stray() const override { return true; }
   bool strays(const Ray& ray) const override {
     constexpr double kLevel = 0.01;
     return std::fabs(unit_local(ray).direction.y) < kLevel;

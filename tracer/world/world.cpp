@@ -144,6 +144,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
   }
+  w.find_where_none_blurs();
   w.set_apart(finite, beside);
   for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
   boxes.reserve(finite.size() + finite_after_all.size()), w.bounded.reserve(boxes.capacity());
@@ -180,12 +181,23 @@ void World::Impl::find_rounding(Entry& e) {
   e.edged = e.ranked && may_run_along_edges(o);
   // Rays that hardly rise meet a sor before or behind its box, by the rounding of its formula; and fractals in CSG say
   // that their hits are nearer than they are.
-  e.strays = !e.infinite && !is_empty(box) && (!encloses(box, e.shape->bounds()) || may_stray(*e.shape));
+  const bool boxed = !e.infinite && !is_empty(box);
+  e.cut = boxed && !encloses(box, e.shape->bounds());
+  e.strays = boxed && may_stray(*e.shape);
 }
 
 // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.
 bool World::Impl::blurs(std::size_t first) {
   return any_surface_of<scene::Ovus>(first) || any_surface_of<std::shared_ptr<const scene::SphereSweep>>(first);
+}
+
+void World::Impl::find_where_none_blurs() {
+  for (const std::uint32_t i : blurred)
+    blurred_center += entries[i].box().center() / static_cast<double>(blurred.size());
+  for (const std::uint32_t i : blurred) {
+    const Box3 box = entries[i].box();
+    none_blurred_within = std::min(none_blurred_within, Entry::afar(box) - length(box.center() - blurred_center));
+  }
 }
 
 template <class Kind>
@@ -239,7 +251,7 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
 Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
   // The true bounds of the surface where POV-Ray's box encloses them.
-  const Box3 box = e.box(), kept = e.strays ? e.box_of_hits() : e.shape->bounds();
+  const Box3 box = e.box(), kept = e.cut || e.strays ? e.box_of_hits() : e.shape->bounds();
   const shapes::SolidExtent solid = e.shape->solid_extent();
   const Box3 inside = solid.outside ? box : shapes::common(box, solid.box);
   if (!is_empty(inside) && !(contains(kept, inside.min) && contains(kept, inside.max)))

@@ -55,7 +55,8 @@ struct Entry {
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   bool ranked = false;        // is in POV-Ray's hierarchy
   bool edged = false;         // and its surface may run along edges of its box
-  bool strays = false;        // hits may lie out of the box, which decides what is seen
+  bool cut = false;           // or reach out of its box, which decides what is seen
+  bool strays = false;        // hits of some rays may lie out of the box
   // Rays that come from farther meet its box in POV-Ray's hierarchy, if it is there, by rounding: they may be refused,
   // or the box be moved.
   float exact_within = std::numeric_limits<float>::infinity();
@@ -64,34 +65,38 @@ struct Entry {
   // Where hits that count begin to be looked for. POV-Ray has met a box that ends sooner than those of shadow rays do.
   Box3 box_of_hits() const {
     Box3 box = this->box();
-    if (strays) box.min -= Vec3(kShadowTolerance), box.max += Vec3(kShadowTolerance);
+    if (cut || strays) box.min -= Vec3(kShadowTolerance), box.max += Vec3(kShadowTolerance);
     return box;
   }
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
-    double near = t_min, far = strays ? HUGE_VAL : t_max;
+    double near = t_min, far = cut || strays ? HUGE_VAL : t_max;
     return (!test_box || clip_to_box(ray, box_of_hits(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
   // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face; or one
   // that grazes the box wherever it meets the surface, if that reaches out of it.
   bool in_doubt(const Ray& ray, const Hit& hit) const {
-    if (in_doubt_at(hit.t)) return true;
+    if (in_doubt_as_far_as(ray, hit.t)) return true;
     const Vec3& d = ray.direction;
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
            at_edge(ray, hit);
   }
-  // Wherever it is hit so far away.
-  bool in_doubt_at(double t) const { return ranked && (strays || t > exact_within); }
+  // Wherever on its way to t the ray meets it.
+  bool in_doubt_as_far_as(const Ray& ray, double t) const { return ranked && (leaves_box(ray) || t > exact_within); }
+  bool leaves_box(const Ray& ray) const { return cut || (strays && shape->strays(ray)); }
   bool blurred_from(const Vec3& origin) const {
-    constexpr double kAfar = 1e4;  // in sizes of the box: nearer, the box has room for the rounding
     const Box3 box = this->box();
-    return length(origin - box.center()) > kAfar * length(box.max - box.min);
+    return length(origin - box.center()) > afar(box);
+  }
+  static double afar(const Box3& box) {
+    constexpr double kAfar = 1e4;  // in sizes of the box: nearer, the box has room for the rounding
+    return kAfar * length(box.max - box.min);
   }
   // The hit lies before the box. POV-Ray asks objects in the order of their boxes, and not at all where the ray has met
   // something on its way to the box: its search is to be repeated.
   bool before_box(const Ray& ray, const Hit& hit) const {
-    if (!strays || !ranked) return false;
+    if (!ranked || !leaves_box(ray)) return false;
     double near = -HUGE_VAL, far = HUGE_VAL;
     return clip_to_box(ray, box(), near, far) && hit.t < near + kCoincident * (std::fabs(near) + length(ray.origin));
   }
@@ -200,9 +205,11 @@ struct World::Impl {
   std::vector<Surrounding> around;           // beside the tree, too
   std::vector<Enclosure> enclosures;
   std::vector<std::uint32_t> blurred;  // entries that rays from afar meet by rounding where they pass them by
-  bool interiors = false;              // some object has one
-  bool only_enclosures = false;        // whatever is not opaque has one
-  std::vector<Candidate> bounded;      // of each box of the tree
+  Vec3 blurred_center{0, 0, 0};
+  double none_blurred_within = HUGE_VAL;  // of the center
+  bool interiors = false;                 // some object has one
+  bool only_enclosures = false;           // whatever is not opaque has one
+  std::vector<Candidate> bounded;         // of each box of the tree
   Bvh tree;
   // While surfaces are added. Of the texture of the CSG around them: whether images in maps reveal it; likewise of
   // those of dissolved unions that were met.
@@ -242,6 +249,7 @@ struct World::Impl {
   // How rounding decides whether the entry is met.
   void find_rounding(Entry& e);
   bool blurs(std::size_t first);
+  void find_where_none_blurs();
   template <class Kind>
   bool any_surface_of(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);
@@ -270,22 +278,28 @@ struct World::Impl {
   // The same for some hit of a shadow ray that is followed to t_max.
   bool admits_blocker(std::uint32_t index, const Ray& ray, double t_max) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.in_doubt_at(t_max) || reaches(ray, index, t_max + kShadowTolerance));
+    return e.slab.passes(ray) && (!e.in_doubt_as_far_as(ray, t_max) || reaches(ray, index, t_max + kShadowTolerance));
   }
   bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
   // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.
   template <class Visit>
   void each_blurred(const Ray& ray, double best, Visit&& visit) const {
+    if (none_blurred_from(ray.origin)) return;
     for (const std::uint32_t i : blurred) {
       const Entry& e = entries[i];
       if (e.blurred_from(ray.origin) && e.slab.passes(ray) && (!e.ranked || hierarchy().reaches(ray, i, best)))
         visit(i, e);
     }
   }
+  bool none_blurred_from(const Vec3& origin) const { return length(origin - blurred_center) < none_blurred_within; }
   bool blurred_for(const RayBatch& rays, int first, int count) const {
-    for (const std::uint32_t i : blurred)
-      for (int k = first; k < first + count; ++k)
-        if (entries[i].blurred_from(rays.at(k).origin)) return true;
+    if (blurred.empty()) return false;
+    for (int k = first; k < first + count; ++k) {
+      const Vec3 origin = rays.at(k).origin;
+      if (none_blurred_from(origin)) continue;
+      for (const std::uint32_t i : blurred)
+        if (entries[i].blurred_from(origin)) return true;
+    }
     return false;
   }
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).

@@ -121,7 +121,8 @@ class Sor final : public Primitive<Sor> {
   bool may_stray() const override { return true; }
   bool strays(const Ray& ray) const override {
     constexpr double kLevel = 0.01;
-    return std::fabs(unit_local(ray).direction.y) < kLevel;
+    const Vec3 d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
+    return d.y * d.y < kLevel * kLevel * dot(d, d);
   }
 
   Vec3 geometric_normal(const Hit& hit) const {

@@ -16,7 +16,7 @@ struct SlabTest {
   std::array<float, 3> low, high;
   bool used = false;
 
-  // `before`: where the box is to begin.
+  // `before`: false, too, for boxes that begin as far away or farther.
   bool passes(const Ray& ray, float before = std::numeric_limits<float>::infinity()) const {
     if (!used) return true;
     float near[3], far[3];

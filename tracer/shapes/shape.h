@@ -141,7 +141,7 @@ class Shape : public scene::Solid {
   // the shape lives.
   virtual SimpleSolid simple() const { return {}; }
 
-  // Distances of hits may lead out of bounds(): those of some rays; those of this ray.
+  // Distances of hits may lead out of bounds(): for some rays; for this ray.
   virtual bool may_stray() const { return false; }
   virtual bool strays(const Ray& /*ray*/) const { return may_stray(); }
 

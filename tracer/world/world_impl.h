@@ -56,7 +56,7 @@ struct Entry {
   bool ranked = false;        // is in POV-Ray's hierarchy
   bool edged = false;         // and its surface may run along edges of its box
   bool cut = false;           // or reach out of its box, which decides what is seen
-  bool strays = false;        // hits of some rays may lie out of the box
+  bool strays = false;        // hits of some rays may lie out of the box (Shape::strays)
   // Rays that come from farther meet its box in POV-Ray's hierarchy, if it is there, by rounding: they may be refused,
   // or the box be moved.
   float exact_within = std::numeric_limits<float>::infinity();

@@ -107,7 +107,7 @@ class Parametric final : public Primitive<Parametric> {
           best, [&] { return ray.at(best); }, 0, u, v);
   }
 
-  // Hits lie before boxes of small pieces.
+  // A hit is where the ray enters the slab of one coordinate of a small piece: perhaps before the piece (spec 04 7).
   bool may_stray() const override { return true; }
   bool contains(const Vec3&) const { return false; }
   bool formula(const Vec3&) const { return false; }

@@ -23,40 +23,37 @@ void check_media(const std::vector<scene::Media>& media) {
 // What every object of a description is asked, once for all copies of one.
 class Check {
  public:
+  explicit Check(int quality) : lit_(quality >= 9) {}
+
   void object(const scene::Object& object) {
-    if (object.interior) check_media(object.interior->media);
+    if (const auto* patch = object.as<std::shared_ptr<const scene::BicubicPatch>>();
+        patch && !shapes::bicubic_patch_fits(**patch))
+      throw Unsupported("bicubic_patch with more than 2097152 pieces", object.place);
+    if (lit_ && object.interior) check_media(object.interior->media);
     if (const auto* light = object.as<scene::LightSource>()) {
-      check_light(*light, object.place);
+      if (lit_) check_light(*light, object.place);
       if (light->looks_like) this->object(*light->looks_like);
     }
     if (!seen_.first(object)) return;
     for (const auto& child : scene::declared_children(object)) this->object(*child);
   }
 
-  void geometry(const scene::Object& object) {
-    if (const auto* patch = object.as<std::shared_ptr<const scene::BicubicPatch>>();
-        patch && !shapes::bicubic_patch_fits(**patch))
-      throw Unsupported("bicubic_patch with more than 2097152 pieces", object.place);
-    if (!seen_geometry_.first(object)) return;
-    for (const auto& child : scene::declared_children(object)) geometry(*child);
-  }
-
  private:
-  scene::SharedLists seen_, seen_geometry_;
+  bool lit_;
+  scene::SharedLists seen_;
 };
 
 }  // namespace
 
 void check_supported(const scene::Scene& scene, const Options& options) {
   if (scene.camera.blur_samples > kMaxBlurSamples) throw Unsupported("more than 1048576 blur_samples", {});
-  Check check;
-  for (const auto& object : scene.objects) check.geometry(*object);
+  Check check(options.quality);
+  for (const auto& object : scene.objects) check.object(*object);
   if (options.quality < 9) return;
   const scene::Settings& settings = scene.settings;
   if (settings.radiosity.enabled && settings.radiosity.count_directions > kMaxRadiosityDirections)
     throw Unsupported("radiosity with more than 16777216 directions", settings.radiosity.place);
   check_media(scene.atmosphere);
-  for (const auto& object : scene.objects) check.object(*object);
 }
 
 }  // namespace verisim::render

@@ -50,6 +50,7 @@ Children* list_of(Object& object) {
 void Children::push_back(ObjectPtr child) {
   if (!objects_) objects_ = std::make_shared<std::vector<ObjectPtr>>();
   objects_->push_back(std::move(child));
+  parts_.reset();
 }
 
 const std::vector<ObjectPtr>& Children::declared() const {

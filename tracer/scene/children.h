@@ -3,6 +3,7 @@
 // tens of thousands of copies, and nobody looks below their roots before rendering.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tracer/scene/texture.h"
@@ -24,6 +25,12 @@ struct Postponed {
   TexturePtr default_texture;  // at the end of the statement; null: it has not ended
 };
 
+// How large a description is once the copies in it are written out (parts.h).
+struct Parts {
+  double objects = 1;  // itself, all below it, their bounds and clips and what lights look like; 2^1000 is one, too
+  int levels = 1;      // of objects within objects
+};
+
 class Children {
  public:
   void push_back(ObjectPtr child);
@@ -31,6 +38,9 @@ class Children {
   const std::vector<ObjectPtr>& declared() const;
   bool postponed() const { return static_cast<bool>(postponed_); }
   bool shared() const { return objects_.use_count() > 1; }
+  // The parent with all that is below it, once somebody has counted; copies know it, too.
+  const std::optional<Parts>& parts() const { return parts_; }
+  void set_parts(const Parts& parts) const { parts_ = parts; }
   // Either all that follows is postponed or nothing; the first form belongs to children that are shared or postponed
   // already.
   void postpone(const TransformSteps& steps);
@@ -41,6 +51,7 @@ class Children {
  private:
   std::shared_ptr<std::vector<ObjectPtr>> objects_;
   Rare<Postponed> postponed_;
+  mutable std::optional<Parts> parts_;
 };
 
 }  // namespace verisim::scene

@@ -11,12 +11,8 @@
 
 namespace verisim::scene {
 
-struct Parts {
-  double objects = 1;  // itself, all below it, their bounds and clips and what lights look like; 2^1000 is one, too
-  int levels = 1;      // of objects within objects
-};
-
-// Takes time in the size of the description, not of what is written out. Its recursion is as deep as `levels`.
+// Takes time in the size of what was never counted before, not of what is written out: nested statements count once.
+// Its recursion is as deep as `levels`.
 Parts parts_of(const Object& object);
 double objects_of(const std::vector<ObjectPtr>& objects);  // in all of them together
 

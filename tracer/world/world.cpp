@@ -130,7 +130,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
     w.find_rounding(e);
-    if (!never && w.blurs(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
+    if (!never && w.imprecise_afar(first_surface)) w.imprecise.push_back(static_cast<std::uint32_t>(i));
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
@@ -144,7 +144,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
   }
-  w.find_where_none_blurs();
+  w.find_where_all_are_precise();
   w.set_apart(finite, beside);
   for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
   boxes.reserve(finite.size() + finite_after_all.size()), w.bounded.reserve(boxes.capacity());
@@ -187,16 +187,16 @@ void World::Impl::find_rounding(Entry& e) {
 }
 
 // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.
-bool World::Impl::blurs(std::size_t first) {
+bool World::Impl::imprecise_afar(std::size_t first) {
   return any_surface_of<scene::Ovus>(first) || any_surface_of<std::shared_ptr<const scene::SphereSweep>>(first);
 }
 
-void World::Impl::find_where_none_blurs() {
-  for (const std::uint32_t i : blurred)
-    blurred_center += entries[i].box().center() / static_cast<double>(blurred.size());
-  for (const std::uint32_t i : blurred) {
+void World::Impl::find_where_all_are_precise() {
+  for (const std::uint32_t i : imprecise)
+    imprecise_center += entries[i].box().center() / static_cast<double>(imprecise.size());
+  for (const std::uint32_t i : imprecise) {
     const Box3 box = entries[i].box();
-    none_blurred_within = std::min(none_blurred_within, Entry::afar(box) - length(box.center() - blurred_center));
+    precise_within = std::min(precise_within, Entry::afar(box) - length(box.center() - imprecise_center));
   }
 }
 

@@ -295,7 +295,7 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const int rest = std::min(kLanes, first + count - start);
-    if (rest < kMin || w.blurred_for(rays, start, rest)) {
+    if (rest < kMin || w.any_imprecise_for(rays, start, rest)) {
       for (int i = start; i < start + rest; ++i)
         found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : kFarthestHit, hits[i], entry);
       continue;
@@ -423,7 +423,7 @@ void World::occluded_batch(const RayBatch& rays, int first, int count, double t_
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const unsigned active = lanes_below(first + count - start);
-    if (const int rest = std::popcount(active); rest < kMin || w.blurred_for(rays, start, rest)) {
+    if (const int rest = std::popcount(active); rest < kMin || w.any_imprecise_for(rays, start, rest)) {
       each_lane(active,
                 [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
       continue;

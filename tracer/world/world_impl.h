@@ -85,7 +85,7 @@ struct Entry {
   // Wherever on its way to t the ray meets it.
   bool in_doubt_as_far_as(const Ray& ray, double t) const { return ranked && (leaves_box(ray) || t > exact_within); }
   bool leaves_box(const Ray& ray) const { return cut || (strays && shape->strays(ray)); }
-  bool blurred_from(const Vec3& origin) const {
+  bool imprecise_from(const Vec3& origin) const {
     const Box3 box = this->box();
     return length(origin - box.center()) > afar(box);
   }
@@ -204,12 +204,13 @@ struct World::Impl {
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Surrounding> around;           // beside the tree, too
   std::vector<Enclosure> enclosures;
-  std::vector<std::uint32_t> blurred;  // entries that rays from afar meet by rounding where they pass them by
-  Vec3 blurred_center{0, 0, 0};
-  double none_blurred_within = HUGE_VAL;  // of the center
-  bool interiors = false;                 // some object has one
-  bool only_enclosures = false;           // whatever is not opaque has one
-  std::vector<Candidate> bounded;         // of each box of the tree
+  // Entries whose formulas lose all digits afar: rays from there meet them by rounding where they pass them by.
+  std::vector<std::uint32_t> imprecise;
+  Vec3 imprecise_center{0, 0, 0};
+  double precise_within = HUGE_VAL;  // so far from the center none is
+  bool interiors = false;            // some object has one
+  bool only_enclosures = false;      // whatever is not opaque has one
+  std::vector<Candidate> bounded;    // of each box of the tree
   Bvh tree;
   // While surfaces are added. Of the texture of the CSG around them: whether images in maps reveal it; likewise of
   // those of dissolved unions that were met.
@@ -248,8 +249,8 @@ struct World::Impl {
   Opacity opacity_of(std::size_t first);
   // How rounding decides whether the entry is met.
   void find_rounding(Entry& e);
-  bool blurs(std::size_t first);
-  void find_where_none_blurs();
+  bool imprecise_afar(std::size_t first);
+  void find_where_all_are_precise();
   template <class Kind>
   bool any_surface_of(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);
@@ -283,22 +284,22 @@ struct World::Impl {
   bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
   // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.
   template <class Visit>
-  void each_blurred(const Ray& ray, double best, Visit&& visit) const {
-    if (none_blurred_from(ray.origin)) return;
-    for (const std::uint32_t i : blurred) {
+  void each_imprecise(const Ray& ray, double best, Visit&& visit) const {
+    if (all_precise_from(ray.origin)) return;
+    for (const std::uint32_t i : imprecise) {
       const Entry& e = entries[i];
-      if (e.blurred_from(ray.origin) && e.slab.passes(ray) && (!e.ranked || hierarchy().reaches(ray, i, best)))
+      if (e.imprecise_from(ray.origin) && e.slab.passes(ray) && (!e.ranked || hierarchy().reaches(ray, i, best)))
         visit(i, e);
     }
   }
-  bool none_blurred_from(const Vec3& origin) const { return length(origin - blurred_center) < none_blurred_within; }
-  bool blurred_for(const RayBatch& rays, int first, int count) const {
-    if (blurred.empty()) return false;
+  bool all_precise_from(const Vec3& origin) const { return length(origin - imprecise_center) < precise_within; }
+  bool any_imprecise_for(const RayBatch& rays, int first, int count) const {
+    if (imprecise.empty()) return false;
     for (int k = first; k < first + count; ++k) {
       const Vec3 origin = rays.at(k).origin;
-      if (none_blurred_from(origin)) continue;
-      for (const std::uint32_t i : blurred)
-        if (entries[i].blurred_from(origin)) return true;
+      if (all_precise_from(origin)) continue;
+      for (const std::uint32_t i : imprecise)
+        if (entries[i].imprecise_from(origin)) return true;
     }
     return false;
   }

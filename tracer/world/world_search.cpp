@@ -36,8 +36,8 @@ class World::Search {
       if (!(e.hidden & mask_) && !s.enclosure.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
     }
   }
-  void test_blurred() {
-    w_.each_blurred(ray_, best(), [this](std::uint32_t i, const Entry& e) {
+  void test_imprecise() {
+    w_.each_imprecise(ray_, best(), [this](std::uint32_t i, const Entry& e) {
       if (!(e.hidden & mask_)) test(*e.shape, i, nullptr);
     });
   }
@@ -129,7 +129,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
       },
       entry);
   search.test_around();
-  search.test_blurred();
+  search.test_imprecise();
   if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
@@ -158,7 +158,7 @@ bool World::intersect_along(const Ray& ray, RayKind kind, double t_min, double t
     farthest = round_up(passed + search.limit() + slack);
   }
   search.test_around();
-  search.test_blurred();
+  search.test_imprecise();
   if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
@@ -222,9 +222,9 @@ class World::Occlusion {
     }
     return false;
   }
-  bool by_blurred() const {
+  bool by_imprecise() const {
     bool blocked = false;
-    w_.each_blurred(ray_, t_max_ + kShadowTolerance, [&](std::uint32_t, const Entry& e) {
+    w_.each_imprecise(ray_, t_max_ + kShadowTolerance, [&](std::uint32_t, const Entry& e) {
       blocked =
           blocked || (!(e.hidden & kMask) && e.opacity != Opacity::transparent && blocks(*e.shape, e.opacity, nullptr));
     });
@@ -260,7 +260,7 @@ bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* ent
   const Occlusion occlusion(w, ray, t_min, t_max);
   if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry))
     return true;
-  if (occlusion.by_unbounded() || occlusion.by_surrounding() || occlusion.by_blurred()) return true;
+  if (occlusion.by_unbounded() || occlusion.by_surrounding() || occlusion.by_imprecise()) return true;
   if (!entry && !w.few.empty())
     return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
   bool found = false;

@@ -270,9 +270,7 @@ class World::BatchSearch {
     take(k, others_[k], index);
   }
 
-  double best(int k) const {
-    return kind_ == RayKind::shadow && !(found_ >> k & 1) ? limit_[k] + kShadowTolerance : limit_[k];
-  }
+  double best(int k) const { return end_of_boxes(kind_, found_ >> k & 1, limit_[k]); }
 
   const Impl& w_;
   const RayPacket rays_;

@@ -132,6 +132,11 @@ struct Plane {
   }
 };
 
+// As far as POV-Ray looks for the boxes of objects: for those of shadow rays to the light, until something is met.
+inline double end_of_boxes(RayKind kind, bool found, double limit) {
+  return kind == RayKind::shadow && !found ? limit + kShadowTolerance : limit;
+}
+
 inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
 // What a search has to look at when the best hit lies at t: what is in the same place, too.
@@ -279,7 +284,8 @@ struct World::Impl {
   // The same for some hit of a shadow ray that is followed to t_max.
   bool admits_blocker(std::uint32_t index, const Ray& ray, double t_max) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.in_doubt_as_far_as(ray, t_max) || reaches(ray, index, t_max + kShadowTolerance));
+    return e.slab.passes(ray) &&
+           (!e.in_doubt_as_far_as(ray, t_max) || reaches(ray, index, end_of_boxes(RayKind::shadow, false, t_max)));
   }
   bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
   // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.

@@ -61,7 +61,7 @@ class World::Search {
   }
 
  private:
-  double best() const { return kind_ == RayKind::shadow && !found_ ? limit_ + kShadowTolerance : limit_; }
+  double best() const { return end_of_boxes(kind_, found_, limit_); }
   void take(const Hit& hit, std::uint32_t index) {
     const bool nearer = !found_ || hit.t < hit_.t;
     const bool before = coincident_;
@@ -224,7 +224,7 @@ class World::Occlusion {
   }
   bool by_imprecise() const {
     bool blocked = false;
-    w_.each_imprecise(ray_, t_max_ + kShadowTolerance, [&](std::uint32_t, const Entry& e) {
+    w_.each_imprecise(ray_, end_of_boxes(RayKind::shadow, false, t_max_), [&](std::uint32_t, const Entry& e) {
       blocked =
           blocked || (!(e.hidden & kMask) && e.opacity != Opacity::transparent && blocks(*e.shape, e.opacity, nullptr));
     });

@@ -265,8 +265,9 @@ class World::BatchSearch {
     if (met) take_admitted(k, ray, index);
   }
   void take_admitted(int k, const Ray& ray, std::uint32_t index) {
-    if (!w_.admits(index, ray, others_[k], best(k))) return;
-    if (w_.entries[index].before_box(ray, others_[k])) before_box_ |= 1u << k;
+    const Impl::Admission admission = w_.admit(index, ray, others_[k], best(k));
+    if (admission == Impl::Admission::refused) return;
+    if (admission == Impl::Admission::before_box) before_box_ |= 1u << k;
     take(k, others_[k], index);
   }
 

@@ -73,18 +73,19 @@ struct Entry {
     return (!test_box || clip_to_box(ray, box_of_hits(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
+  // Hits of the ray may lie out of POV-Ray's box, which decides all the same.
+  bool leaves_box(const Ray& ray) const { return ranked && (cut || (strays && shape->strays(ray))); }
   // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face; or one
-  // that grazes the box wherever it meets the surface, if that reaches out of it.
+  // that comes from afar.
   bool in_doubt(const Ray& ray, const Hit& hit) const {
-    if (in_doubt_as_far_as(ray, hit.t)) return true;
+    if (in_doubt_at(hit.t)) return true;
     const Vec3& d = ray.direction;
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
            at_edge(ray, hit);
   }
-  // Wherever on its way to t the ray meets it.
-  bool in_doubt_as_far_as(const Ray& ray, double t) const { return ranked && (leaves_box(ray) || t > exact_within); }
-  bool leaves_box(const Ray& ray) const { return cut || (strays && shape->strays(ray)); }
+  // Wherever the ray meets it there.
+  bool in_doubt_at(double t) const { return ranked && t > exact_within; }
   bool imprecise_from(const Vec3& origin) const {
     const Box3 box = this->box();
     return length(origin - box.center()) > afar(box);
@@ -96,7 +97,6 @@ struct Entry {
   // The hit lies before the box. POV-Ray asks objects in the order of their boxes, and not at all where the ray has met
   // something on its way to the box: its search is to be repeated.
   bool before_box(const Ray& ray, const Hit& hit) const {
-    if (!ranked || !leaves_box(ray)) return false;
     double near = -HUGE_VAL, far = HUGE_VAL;
     return clip_to_box(ray, box(), near, far) && hit.t < near + kCoincident * (std::fabs(near) + length(ray.origin));
   }
@@ -276,16 +276,21 @@ struct World::Impl {
   const Hierarchy& hierarchy() const;  // made at the first ray that needs it: most scenes do not
   // Of each entry, its place among those that POV-Ray finds around a point (spec 06 2.1).
   const std::vector<std::uint32_t>& ranks() const;
-  // POV-Ray finds this hit of an entry, too, if nothing lies before `best`.
-  bool admits(std::uint32_t index, const Ray& ray, const Hit& hit, double best) const {
+  // Whether POV-Ray finds this hit of an entry, too, if nothing lies before `best`; before its box, perhaps.
+  enum class Admission { refused, taken, before_box };
+  Admission admit(std::uint32_t index, const Ray& ray, const Hit& hit, double best) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.in_doubt(ray, hit) || reaches(ray, index, best));
+    if (!e.slab.passes(ray)) return Admission::refused;
+    const bool leaves = e.leaves_box(ray);
+    if ((leaves || e.in_doubt(ray, hit)) && !reaches(ray, index, best)) return Admission::refused;
+    return leaves && e.before_box(ray, hit) ? Admission::before_box : Admission::taken;
   }
   // The same for some hit of a shadow ray that is followed to t_max.
   bool admits_blocker(std::uint32_t index, const Ray& ray, double t_max) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) &&
-           (!e.in_doubt_as_far_as(ray, t_max) || reaches(ray, index, end_of_boxes(RayKind::shadow, false, t_max)));
+    if (!e.slab.passes(ray)) return false;
+    return !(e.in_doubt_at(t_max) || e.leaves_box(ray)) ||
+           reaches(ray, index, end_of_boxes(RayKind::shadow, false, t_max));
   }
   bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
   // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.

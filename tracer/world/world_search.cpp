@@ -90,8 +90,10 @@ class World::Search {
     Hit other;
     const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
                            : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (!met || !w_.admits(index, ray_, other, best())) return;
-    before_box_ |= w_.entries[index].before_box(ray_, other);
+    if (!met) return;
+    const Impl::Admission admission = w_.admit(index, ray_, other, best());
+    if (admission == Impl::Admission::refused) return;
+    before_box_ |= admission == Impl::Admission::before_box;
     take(other, index);
   }
 

@@ -23,7 +23,7 @@ bool has_tree(const scene::Object& o) {
          o.as<std::shared_ptr<const scene::Text>>();
 }
 
-unsigned hidden_from(const scene::Object& o) {
+unsigned hidden_by_flags(const scene::Object& o) {
   unsigned bits = 0;
   if (o.no_image)
     bits |= bit(RayKind::camera) | bit(RayKind::refracted) | bit(RayKind::radiosity_refracted) | bit(RayKind::photon);
@@ -45,6 +45,15 @@ bool all_children_shadowless(const scene::Object& o) {
     any = true;
   }
   return any;
+}
+
+// The RayKinds that do not see an object, as bits.
+unsigned hidden_from(const scene::Object& o) {
+  unsigned bits = hidden_by_flags(o);
+  if (all_children_shadowless(o)) bits |= bit(RayKind::shadow) | bit(RayKind::photon);
+  if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
+    bits |= hidden_by_flags(*light->looks_like);
+  return bits;
 }
 
 // Kinds that POV-Ray tests without their box when there are too few objects for a hierarchy (spec 03 2.1).
@@ -97,74 +106,93 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   w.lights = std::move(list.lights);
   w.texts = std::move(list.texts);
   w.in_order = std::cmp_less(list.entries, arrangement.bounding_threshold);
-
-  std::vector<Box3> boxes;
-  std::vector<std::uint32_t> finite, beside, finite_after_all;
   w.entries.reserve(list.objects.size()), w.shapes.reserve(list.objects.size());
-  for (std::size_t i = 0; i < list.objects.size(); ++i) {
-    const scene::Object& o = *list.objects[i];
-    std::unique_ptr<Shape> shape = shapes::compile(o, {arrangement.remove_bounds});
-    const std::size_t first_surface = w.surfaces.size();
-    if (i == 0 || list.whole[i] != list.whole[i - 1]) w.hand_down(list.whole[i], compiler);
-    w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
-    w.find_twice_filtering(first_surface);
-
-    Entry e;
-    e.shape = shape.get();
-    e.object = &o;
-    e.copied = list.copied[i];
-    e.hidden = hidden_from(o);
-    if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
-    if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
-      e.hidden |= hidden_from(*light->looks_like);
-    e.opacity = w.opacity_of(first_surface);
-    if (lets_light_through(e)) w.transparent_shadows = true;
-    if (o.interior) w.interiors = true;
-    e.infinite = scene::is_infinite(o);
-    const Box3 box = e.box();
-
-    // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
-    const bool never = is_empty(box) && !(w.in_order && exempt_from_box_test(o));
-    const bool boxless = e.infinite || is_empty(box) || (w.in_order && exempt_from_box_test(o));
-    e.test_box = !is_empty(box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
-                 !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
-    w.find_rounding(e);
-    if (!never && w.imprecise_afar(first_surface)) w.imprecise.push_back(static_cast<std::uint32_t>(i));
-    // Some of those have a surface of finite size all the same, as solids cut out by planes do.
-    e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
-    const bool waits = e.test_surface && !w.in_order;
-    if (waits)
-      finite_after_all.push_back(static_cast<std::uint32_t>(i));
-    else if (!never && (boxless || w.in_order))
-      beside.push_back(static_cast<std::uint32_t>(i));
-    else if (!never)
-      finite.push_back(static_cast<std::uint32_t>(i));
-    if (!e.infinite && !is_empty(box)) w.bounds.extendBy(box);
-    w.entries.push_back(e);
-    w.shapes.push_back(std::move(shape));
+  Impl::Places places;
+  for (std::uint32_t i = 0; i < list.objects.size(); ++i) {
+    w.add_entry(list, i, arrangement.remove_bounds, compiler);
+    w.find_place(i, places);
   }
   w.find_where_all_are_precise();
-  w.set_apart(finite, beside);
-  for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
-  boxes.reserve(finite.size() + finite_after_all.size()), w.bounded.reserve(boxes.capacity());
-  for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
+  w.set_apart(places.in_tree, places.beside);
+  w.find_enclosures();
+  w.build_trees(places);
+}
+
+void World::Impl::add_entry(const FrameList& list, std::uint32_t index, bool remove_bounds,
+                            textures::Compiler& compiler) {
+  const scene::Object& o = *list.objects[index];
+  shapes.push_back(shapes::compile(o, {remove_bounds}));
+  Shape& shape = *shapes.back();
+  const std::size_t first_surface = surfaces.size();
+  if (index == 0 || list.whole[index] != list.whole[index - 1]) hand_down(list.whole[index], compiler);
+  add_surfaces(shape, static_cast<int>(index), nullptr, compiler);
+  find_twice_filtering(first_surface);
+
+  Entry e;
+  e.shape = &shape;
+  e.object = &o;
+  e.copied = list.copied[index];
+  e.hidden = static_cast<unsigned short>(hidden_from(o));
+  e.opacity = opacity_of(first_surface);
+  e.infinite = scene::is_infinite(o);
+  find_box_tests(e);
+  find_rounding(e);
+  entries.push_back(e);
+  if (lets_light_through(e)) transparent_shadows = true;
+  if (o.interior) interiors = true;
+  if (const Box3 box = e.box(); !e.infinite && !is_empty(box)) bounds.extendBy(box);
+  if (!is_never_met(e) && imprecise_afar(first_surface)) imprecise.push_back(index);
+}
+
+bool World::Impl::needs_no_box(const scene::Object& o) const { return in_order && exempt_from_box_test(o); }
+
+bool World::Impl::is_never_met(const Entry& e) const { return is_empty(e.box()) && !needs_no_box(*e.object); }
+
+void World::Impl::find_box_tests(Entry& e) const {
+  const scene::Object& o = *e.object;
+  const bool empty = is_empty(e.box());
+  e.test_box =
+      !empty && (e.infinite || in_order) && !cheaper_than_box_test(o) && !needs_no_box(o) && volume(o.bounds) < 7e30f;
+  if (!empty && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
+  // Some of those without a box have a surface of finite size all the same, as solids cut out by planes do.
+  e.test_surface = !is_never_met(e) && is_boxless(e) && !cheaper_than_box_test(o) && within_finite_box(*e.shape);
+}
+
+bool World::Impl::is_boxless(const Entry& e) const {
+  return e.infinite || is_empty(e.box()) || needs_no_box(*e.object);
+}
+
+void World::Impl::find_place(std::uint32_t index, Places& places) const {
+  const Entry& e = entries[index];
+  if (is_never_met(e)) return;
+  if (e.test_surface && !in_order)
+    places.perhaps_in_tree.push_back(index);
+  else if (is_boxless(e) || in_order)
+    places.beside.push_back(index);
+  else
+    places.in_tree.push_back(index);
+}
+
+void World::Impl::build_trees(const Places& places) {
+  for (const std::uint32_t i : places.beside) add_beside_tree(i, entries[i]);
+  std::vector<Box3> boxes;
+  boxes.reserve(places.in_tree.size() + places.perhaps_in_tree.size()), bounded.reserve(boxes.capacity());
+  for (const std::uint32_t i : places.in_tree) boxes.push_back(add_bounded(i, entries[i]));
   // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to
   // the largest of them.
   constexpr double kOutsized = 4;
   const auto longest = [](const Box3& box) {
     return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
   };
-  for (const std::uint32_t i : finite_after_all) {
-    if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds))
-      boxes.push_back(w.add_bounded(i, w.entries[i]));
+  for (const std::uint32_t i : places.perhaps_in_tree) {
+    if (longest(entries[i].shape->bounds()) <= kOutsized * longest(bounds))
+      boxes.push_back(add_bounded(i, entries[i]));
     else
-      w.add_beside_tree(i, w.entries[i]);
+      add_beside_tree(i, entries[i]);
   }
-  w.find_enclosures();
-  w.tree = Bvh(boxes), w.deep_tree = Bvh(w.deep_boxes);
+  tree = Bvh(boxes), deep_tree = Bvh(deep_boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
-  if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMax) w.few = shapes::BoxSet(boxes);
+  if (boxes.size() == bounded.size() && boxes.size() <= shapes::BoxSet::kMax) few = shapes::BoxSet(boxes);
 }
 
 Opacity World::Impl::opacity_of(std::size_t first) {

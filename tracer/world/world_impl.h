@@ -17,6 +17,7 @@
 #include "tracer/bvh/hierarchy.h"
 #include "tracer/bvh/slab_test.h"
 #include "tracer/textures/compile/ready_maps.h"
+#include "tracer/world/frame_list.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/interior_proxy.h"
@@ -250,6 +251,22 @@ struct World::Impl {
     else
       few.traverse(ray, t_min, t_max, visit);
   }
+  // Of the frame-level object with this index: its shape, its surfaces and what is to be known of it.
+  void add_entry(const FrameList& list, std::uint32_t index, bool remove_bounds, textures::Compiler& compiler);
+  // Which boxes its rays are to be tested with.
+  void find_box_tests(Entry& e) const;
+  // Where entries go.
+  struct Places {
+    std::vector<std::uint32_t> in_tree, beside;
+    std::vector<std::uint32_t> perhaps_in_tree;  // POV-Ray has no box for them, but their surfaces are of finite size
+  };
+  void find_place(std::uint32_t index, Places& places) const;
+  void build_trees(const Places& places);
+  // Too few entries for a hierarchy, and of a kind that POV-Ray then tests without its box.
+  bool needs_no_box(const scene::Object& o) const;
+  // A box with negative sides (spheres of negative radius and the like) hides what POV-Ray looks for by its box.
+  bool is_never_met(const Entry& e) const;
+  bool is_boxless(const Entry& e) const;
   // Of a frame-level object's surfaces, which are those from `first` on.
   Opacity opacity_of(std::size_t first);
   // How rounding decides whether the entry is met.

@@ -82,10 +82,6 @@ bool encloses(const Box3& pov, const Box3& surface) {
   return !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
 }
 
-bool may_stray(const Shape& shape) {
-  return shape.may_stray() || std::ranges::any_of(shape.children(), [](const auto& c) { return may_stray(*c); });
-}
-
 // The surface and all that it encloses lie in a finite box.
 bool within_finite_box(const Shape& shape) {
   const Box3 surface = shape.bounds();
@@ -211,7 +207,7 @@ void World::Impl::find_rounding(Entry& e) {
   // that their hits are nearer than they are.
   const bool boxed = !e.infinite && !is_empty(box);
   e.cut = boxed && !encloses(box, e.shape->bounds());
-  e.strays = boxed && may_stray(*e.shape);
+  e.strays = boxed && e.shape->may_stray();
 }
 
 // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.

@@ -1,5 +1,7 @@
 // light_source and light_group among the objects: a light has no surface of its own, only that of its looks_like; a
 // group is the sum of its children.
+#include <algorithm>
+
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/shape.h"
 
@@ -24,6 +26,12 @@ class LightHolder final : public Shape {
   }
   Vec3 normal(const Hit&) const override { return Vec3(0); }  // hits belong to the children
   Box3 bounds() const override { return bounds_; }
+  bool may_stray() const override {
+    return std::ranges::any_of(children_, [](const auto& child) { return child->may_stray(); });
+  }
+  bool strays(const Ray& ray) const override {
+    return std::ranges::any_of(children_, [&](const auto& child) { return child->strays(ray); });
+  }
   std::span<const std::unique_ptr<Shape>> children() const override { return children_; }
 
  private:

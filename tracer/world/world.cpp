@@ -23,7 +23,7 @@ bool has_tree(const scene::Object& o) {
          o.as<std::shared_ptr<const scene::Text>>();
 }
 
-unsigned hidden_from(const scene::Object& o) {
+unsigned hidden_by_flags(const scene::Object& o) {
   unsigned bits = 0;
   if (o.no_image)
     bits |= bit(RayKind::camera) | bit(RayKind::refracted) | bit(RayKind::radiosity_refracted) | bit(RayKind::photon);
@@ -45,6 +45,15 @@ bool all_children_shadowless(const scene::Object& o) {
     any = true;
   }
   return any;
+}
+
+// The RayKinds that do not see an object, as bits.
+unsigned hidden_from(const scene::Object& o) {
+  unsigned bits = hidden_by_flags(o);
+  if (all_children_shadowless(o)) bits |= bit(RayKind::shadow) | bit(RayKind::photon);
+  if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
+    bits |= hidden_by_flags(*light->looks_like);
+  return bits;
 }
 
 // Kinds that POV-Ray tests without their box when there are too few objects for a hierarchy (spec 03 2.1).
@@ -73,10 +82,6 @@ bool encloses(const Box3& pov, const Box3& surface) {
   return !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
 }
 
-bool may_stray(const Shape& shape) {
-  return shape.may_stray() || std::ranges::any_of(shape.children(), [](const auto& c) { return may_stray(*c); });
-}
-
 // The surface and all that it encloses lie in a finite box.
 bool within_finite_box(const Shape& shape) {
   const Box3 surface = shape.bounds();
@@ -97,74 +102,93 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   w.lights = std::move(list.lights);
   w.texts = std::move(list.texts);
   w.in_order = std::cmp_less(list.entries, arrangement.bounding_threshold);
-
-  std::vector<Box3> boxes;
-  std::vector<std::uint32_t> finite, beside, finite_after_all;
   w.entries.reserve(list.objects.size()), w.shapes.reserve(list.objects.size());
-  for (std::size_t i = 0; i < list.objects.size(); ++i) {
-    const scene::Object& o = *list.objects[i];
-    std::unique_ptr<Shape> shape = shapes::compile(o, {arrangement.remove_bounds});
-    const std::size_t first_surface = w.surfaces.size();
-    if (i == 0 || list.whole[i] != list.whole[i - 1]) w.hand_down(list.whole[i], compiler);
-    w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
-    w.find_twice_filtering(first_surface);
-
-    Entry e;
-    e.shape = shape.get();
-    e.object = &o;
-    e.copied = list.copied[i];
-    e.hidden = hidden_from(o);
-    if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
-    if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
-      e.hidden |= hidden_from(*light->looks_like);
-    e.opacity = w.opacity_of(first_surface);
-    if (lets_light_through(e)) w.transparent_shadows = true;
-    if (o.interior) w.interiors = true;
-    e.infinite = scene::is_infinite(o);
-    const Box3 box = e.box();
-
-    // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
-    const bool never = is_empty(box) && !(w.in_order && exempt_from_box_test(o));
-    const bool boxless = e.infinite || is_empty(box) || (w.in_order && exempt_from_box_test(o));
-    e.test_box = !is_empty(box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
-                 !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    if (!is_empty(box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
-    w.find_rounding(e);
-    if (!never && w.blurs(first_surface)) w.blurred.push_back(static_cast<std::uint32_t>(i));
-    // Some of those have a surface of finite size all the same, as solids cut out by planes do.
-    e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
-    const bool waits = e.test_surface && !w.in_order;
-    if (waits)
-      finite_after_all.push_back(static_cast<std::uint32_t>(i));
-    else if (!never && (boxless || w.in_order))
-      beside.push_back(static_cast<std::uint32_t>(i));
-    else if (!never)
-      finite.push_back(static_cast<std::uint32_t>(i));
-    if (!e.infinite && !is_empty(box)) w.bounds.extendBy(box);
-    w.entries.push_back(e);
-    w.shapes.push_back(std::move(shape));
+  Impl::Places places;
+  for (std::uint32_t i = 0; i < list.objects.size(); ++i) {
+    w.add_entry(list, i, arrangement.remove_bounds, compiler);
+    w.find_place(i, places);
   }
-  w.find_where_none_blurs();
-  w.set_apart(finite, beside);
-  for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
-  boxes.reserve(finite.size() + finite_after_all.size()), w.bounded.reserve(boxes.capacity());
-  for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
+  w.find_where_all_are_precise();
+  w.set_apart(places.in_tree, places.beside);
+  w.find_enclosures();
+  w.build_trees(places);
+}
+
+void World::Impl::add_entry(const FrameList& list, std::uint32_t index, bool remove_bounds,
+                            textures::Compiler& compiler) {
+  const scene::Object& o = *list.objects[index];
+  shapes.push_back(shapes::compile(o, {remove_bounds}));
+  Shape& shape = *shapes.back();
+  const std::size_t first_surface = surfaces.size();
+  if (index == 0 || list.whole[index] != list.whole[index - 1]) hand_down(list.whole[index], compiler);
+  add_surfaces(shape, static_cast<int>(index), nullptr, compiler);
+  find_twice_filtering(first_surface);
+
+  Entry e;
+  e.shape = &shape;
+  e.object = &o;
+  e.copied = list.copied[index];
+  e.hidden = static_cast<unsigned short>(hidden_from(o));
+  e.opacity = opacity_of(first_surface);
+  e.infinite = scene::is_infinite(o);
+  find_box_tests(e);
+  find_rounding(e);
+  entries.push_back(e);
+  if (lets_light_through(e)) transparent_shadows = true;
+  if (o.interior) interiors = true;
+  if (const Box3 box = e.box(); !e.infinite && !is_empty(box)) bounds.extendBy(box);
+  if (!is_never_met(e) && imprecise_afar(first_surface)) imprecise.push_back(index);
+}
+
+bool World::Impl::needs_no_box(const scene::Object& o) const { return in_order && exempt_from_box_test(o); }
+
+bool World::Impl::is_never_met(const Entry& e) const { return is_empty(e.box()) && !needs_no_box(*e.object); }
+
+void World::Impl::find_box_tests(Entry& e) const {
+  const scene::Object& o = *e.object;
+  const bool empty = is_empty(e.box());
+  e.test_box =
+      !empty && (e.infinite || in_order) && !cheaper_than_box_test(o) && !needs_no_box(o) && volume(o.bounds) < 7e30f;
+  if (!empty && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
+  // Some of those without a box have a surface of finite size all the same, as solids cut out by planes do.
+  e.test_surface = !is_never_met(e) && is_boxless(e) && !cheaper_than_box_test(o) && within_finite_box(*e.shape);
+}
+
+bool World::Impl::is_boxless(const Entry& e) const {
+  return e.infinite || is_empty(e.box()) || needs_no_box(*e.object);
+}
+
+void World::Impl::find_place(std::uint32_t index, Places& places) const {
+  const Entry& e = entries[index];
+  if (is_never_met(e)) return;
+  if (e.test_surface && !in_order)
+    places.perhaps_in_tree.push_back(index);
+  else if (is_boxless(e) || in_order)
+    places.beside.push_back(index);
+  else
+    places.in_tree.push_back(index);
+}
+
+void World::Impl::build_trees(const Places& places) {
+  for (const std::uint32_t i : places.beside) add_beside_tree(i, entries[i]);
+  std::vector<Box3> boxes;
+  boxes.reserve(places.in_tree.size() + places.perhaps_in_tree.size()), bounded.reserve(boxes.capacity());
+  for (const std::uint32_t i : places.in_tree) boxes.push_back(add_bounded(i, entries[i]));
   // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to
   // the largest of them.
   constexpr double kOutsized = 4;
   const auto longest = [](const Box3& box) {
     return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
   };
-  for (const std::uint32_t i : finite_after_all) {
-    if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds))
-      boxes.push_back(w.add_bounded(i, w.entries[i]));
+  for (const std::uint32_t i : places.perhaps_in_tree) {
+    if (longest(entries[i].shape->bounds()) <= kOutsized * longest(bounds))
+      boxes.push_back(add_bounded(i, entries[i]));
     else
-      w.add_beside_tree(i, w.entries[i]);
+      add_beside_tree(i, entries[i]);
   }
-  w.find_enclosures();
-  w.tree = Bvh(boxes), w.deep_tree = Bvh(w.deep_boxes);
+  tree = Bvh(boxes), deep_tree = Bvh(deep_boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
-  if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMax) w.few = shapes::BoxSet(boxes);
+  if (boxes.size() == bounded.size() && boxes.size() <= shapes::BoxSet::kMax) few = shapes::BoxSet(boxes);
 }
 
 Opacity World::Impl::opacity_of(std::size_t first) {
@@ -183,20 +207,20 @@ void World::Impl::find_rounding(Entry& e) {
   // that their hits are nearer than they are.
   const bool boxed = !e.infinite && !is_empty(box);
   e.cut = boxed && !encloses(box, e.shape->bounds());
-  e.strays = boxed && may_stray(*e.shape);
+  e.strays = boxed && e.shape->may_stray();
 }
 
 // POV-Ray takes hits of these at any distance, where the rounding of their formulas is larger than the object.
-bool World::Impl::blurs(std::size_t first) {
+bool World::Impl::imprecise_afar(std::size_t first) {
   return any_surface_of<scene::Ovus>(first) || any_surface_of<std::shared_ptr<const scene::SphereSweep>>(first);
 }
 
-void World::Impl::find_where_none_blurs() {
-  for (const std::uint32_t i : blurred)
-    blurred_center += entries[i].box().center() / static_cast<double>(blurred.size());
-  for (const std::uint32_t i : blurred) {
+void World::Impl::find_where_all_are_precise() {
+  for (const std::uint32_t i : imprecise)
+    imprecise_center += entries[i].box().center() / static_cast<double>(imprecise.size());
+  for (const std::uint32_t i : imprecise) {
     const Box3 box = entries[i].box();
-    none_blurred_within = std::min(none_blurred_within, Entry::afar(box) - length(box.center() - blurred_center));
+    precise_within = std::min(precise_within, Entry::afar(box) - length(box.center() - imprecise_center));
   }
 }
 
@@ -386,52 +410,6 @@ bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
          std::all_of(impl_->enclosures.begin(), impl_->enclosures.end(), [&](const Enclosure& enclosure) {
            return enclosure.proxy.holds(from) && enclosure.proxy.holds(to);
          });
-}
-
-// A blob or mesh is only asked for those of its components, be there any or not.
-bool has_parts_with_textures(const scene::Object& object) {
-  return object.as<scene::Mesh>() || object.as<std::shared_ptr<const scene::Blob>>();
-}
-
-// A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3): adds all
-// textures that there are.
-void World::Impl::add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const {
-  const auto* csg = shape.object->as<scene::Csg>();
-  if (!csg) {
-    if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, 1});
-    return;
-  }
-  const auto children = shape.children();
-  if (csg->difference) {
-    if (children.empty()) return;
-    // Nested CSG may hold its children the other way round (shapes/csg/csg.cpp).
-    const scene::Object* const first = scene::children_of(*shape.object)[0].get();
-    const Shape& body = children.front()->object == first ? *children.front() : *children.back();
-    if (body.object == first && body.inside_unclipped(p)) add_cutaway(body, p, out);
-    return;
-  }
-  for (const auto& child : children)
-    if (child->inside_unclipped(p)) add_cutaway(*child, p, out);
-}
-
-void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const {
-  out.clear();
-  const Surface& surface = *hit.shape->surface;
-  if (!surface.texture && surface.cutaway && surface.extra_textures().empty()) {
-    if (has_parts_with_textures(*surface.object)) return;  // black
-    impl_->add_cutaway(*surface.cutaway, hit.point, out);
-    for (textures::WeightedTexture& each : out) each.weight = 1 / static_cast<float>(out.size());
-    return;
-  }
-  if (surface.extra_textures().empty()) return;
-  thread_local std::vector<shapes::TextureShare> shares;
-  shares.clear();
-  hit.shape->texture_shares(hit, inside_hit, shares);
-  for (const shapes::TextureShare& share : shares) {
-    const auto* texture =
-        share.texture < 0 ? surface.texture : surface.extra_textures()[static_cast<std::size_t>(share.texture)];
-    if (texture) out.push_back({texture, share.weight});
-  }
 }
 
 std::vector<const scene::Object*> World::objects() const {

@@ -265,14 +265,13 @@ class World::BatchSearch {
     if (met) take_admitted(k, ray, index);
   }
   void take_admitted(int k, const Ray& ray, std::uint32_t index) {
-    if (!w_.admits(index, ray, others_[k], best(k))) return;
-    if (w_.entries[index].before_box(ray, others_[k])) before_box_ |= 1u << k;
+    const Impl::Admission admission = w_.admit(index, ray, others_[k], best(k));
+    if (admission == Impl::Admission::refused) return;
+    if (admission == Impl::Admission::before_box) before_box_ |= 1u << k;
     take(k, others_[k], index);
   }
 
-  double best(int k) const {
-    return kind_ == RayKind::shadow && !(found_ >> k & 1) ? limit_[k] + kShadowTolerance : limit_[k];
-  }
+  double best(int k) const { return end_of_boxes(kind_, found_ >> k & 1, limit_[k]); }
 
   const Impl& w_;
   const RayPacket rays_;
@@ -295,7 +294,7 @@ void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind 
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const int rest = std::min(kLanes, first + count - start);
-    if (rest < kMin || w.blurred_for(rays, start, rest)) {
+    if (rest < kMin || w.any_imprecise_for(rays, start, rest)) {
       for (int i = start; i < start + rest; ++i)
         found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : kFarthestHit, hits[i], entry);
       continue;
@@ -423,7 +422,7 @@ void World::occluded_batch(const RayBatch& rays, int first, int count, double t_
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const unsigned active = lanes_below(first + count - start);
-    if (const int rest = std::popcount(active); rest < kMin || w.blurred_for(rays, start, rest)) {
+    if (const int rest = std::popcount(active); rest < kMin || w.any_imprecise_for(rays, start, rest)) {
       each_lane(active,
                 [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
       continue;

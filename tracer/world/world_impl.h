@@ -17,6 +17,7 @@
 #include "tracer/bvh/hierarchy.h"
 #include "tracer/bvh/slab_test.h"
 #include "tracer/textures/compile/ready_maps.h"
+#include "tracer/world/frame_list.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/interior_proxy.h"
@@ -73,19 +74,20 @@ struct Entry {
     return (!test_box || clip_to_box(ray, box_of_hits(), near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
+  // Hits of the ray may lie out of POV-Ray's box, which decides all the same.
+  bool leaves_box(const Ray& ray) const { return ranked && (cut || (strays && shape->strays(ray))); }
   // The rounding of boxes may refuse a ray that meets the surface near an edge of the box, or goes along a face; or one
-  // that grazes the box wherever it meets the surface, if that reaches out of it.
+  // that comes from afar.
   bool in_doubt(const Ray& ray, const Hit& hit) const {
-    if (in_doubt_as_far_as(ray, hit.t)) return true;
+    if (in_doubt_at(hit.t)) return true;
     const Vec3& d = ray.direction;
     const double least = std::min({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     return (edged || (ranked && least <= 1e-6 * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)))) &&
            at_edge(ray, hit);
   }
-  // Wherever on its way to t the ray meets it.
-  bool in_doubt_as_far_as(const Ray& ray, double t) const { return ranked && (leaves_box(ray) || t > exact_within); }
-  bool leaves_box(const Ray& ray) const { return cut || (strays && shape->strays(ray)); }
-  bool blurred_from(const Vec3& origin) const {
+  // Wherever the ray meets it there.
+  bool in_doubt_at(double t) const { return ranked && t > exact_within; }
+  bool imprecise_from(const Vec3& origin) const {
     const Box3 box = this->box();
     return length(origin - box.center()) > afar(box);
   }
@@ -96,7 +98,6 @@ struct Entry {
   // The hit lies before the box. POV-Ray asks objects in the order of their boxes, and not at all where the ray has met
   // something on its way to the box: its search is to be repeated.
   bool before_box(const Ray& ray, const Hit& hit) const {
-    if (!ranked || !leaves_box(ray)) return false;
     double near = -HUGE_VAL, far = HUGE_VAL;
     return clip_to_box(ray, box(), near, far) && hit.t < near + kCoincident * (std::fabs(near) + length(ray.origin));
   }
@@ -131,6 +132,11 @@ struct Plane {
     return shapes::one_ray::plane_intersection(normal, distance, ray.origin, ray.direction, slope, t) ? t : -1;
   }
 };
+
+// As far as POV-Ray looks for the boxes of objects: for those of shadow rays to the light, until something is met.
+inline double end_of_boxes(RayKind kind, bool found, double limit) {
+  return kind == RayKind::shadow && !found ? limit + kShadowTolerance : limit;
+}
 
 inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
@@ -204,12 +210,13 @@ struct World::Impl {
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Surrounding> around;           // beside the tree, too
   std::vector<Enclosure> enclosures;
-  std::vector<std::uint32_t> blurred;  // entries that rays from afar meet by rounding where they pass them by
-  Vec3 blurred_center{0, 0, 0};
-  double none_blurred_within = HUGE_VAL;  // of the center
-  bool interiors = false;                 // some object has one
-  bool only_enclosures = false;           // whatever is not opaque has one
-  std::vector<Candidate> bounded;         // of each box of the tree
+  // Entries whose formulas lose all digits afar: rays from there meet them by rounding where they pass them by.
+  std::vector<std::uint32_t> imprecise;
+  Vec3 imprecise_center{0, 0, 0};
+  double precise_within = HUGE_VAL;  // so far from the center none is
+  bool interiors = false;            // some object has one
+  bool only_enclosures = false;      // whatever is not opaque has one
+  std::vector<Candidate> bounded;    // of each box of the tree
   Bvh tree;
   // While surfaces are added. Of the texture of the CSG around them: whether images in maps reveal it; likewise of
   // those of dissolved unions that were met.
@@ -244,12 +251,28 @@ struct World::Impl {
     else
       few.traverse(ray, t_min, t_max, visit);
   }
+  // Of the frame-level object with this index: its shape, its surfaces and what is to be known of it.
+  void add_entry(const FrameList& list, std::uint32_t index, bool remove_bounds, textures::Compiler& compiler);
+  // Which boxes its rays are to be tested with.
+  void find_box_tests(Entry& e) const;
+  // Where entries go.
+  struct Places {
+    std::vector<std::uint32_t> in_tree, beside;
+    std::vector<std::uint32_t> perhaps_in_tree;  // POV-Ray has no box for them, but their surfaces are of finite size
+  };
+  void find_place(std::uint32_t index, Places& places) const;
+  void build_trees(const Places& places);
+  // Too few entries for a hierarchy, and of a kind that POV-Ray then tests without its box.
+  bool needs_no_box(const scene::Object& o) const;
+  // A box with negative sides (spheres of negative radius and the like) hides what POV-Ray looks for by its box.
+  bool is_never_met(const Entry& e) const;
+  bool is_boxless(const Entry& e) const;
   // Of a frame-level object's surfaces, which are those from `first` on.
   Opacity opacity_of(std::size_t first);
   // How rounding decides whether the entry is met.
   void find_rounding(Entry& e);
-  bool blurs(std::size_t first);
-  void find_where_none_blurs();
+  bool imprecise_afar(std::size_t first);
+  void find_where_all_are_precise();
   template <class Kind>
   bool any_surface_of(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);
@@ -270,35 +293,41 @@ struct World::Impl {
   const Hierarchy& hierarchy() const;  // made at the first ray that needs it: most scenes do not
   // Of each entry, its place among those that POV-Ray finds around a point (spec 06 2.1).
   const std::vector<std::uint32_t>& ranks() const;
-  // POV-Ray finds this hit of an entry, too, if nothing lies before `best`.
-  bool admits(std::uint32_t index, const Ray& ray, const Hit& hit, double best) const {
+  // Whether POV-Ray finds this hit of an entry, too, if nothing lies before `best`; before its box, perhaps.
+  enum class Admission { refused, taken, before_box };
+  Admission admit(std::uint32_t index, const Ray& ray, const Hit& hit, double best) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.in_doubt(ray, hit) || reaches(ray, index, best));
+    if (!e.slab.passes(ray)) return Admission::refused;
+    const bool leaves = e.leaves_box(ray);
+    if ((leaves || e.in_doubt(ray, hit)) && !reaches(ray, index, best)) return Admission::refused;
+    return leaves && e.before_box(ray, hit) ? Admission::before_box : Admission::taken;
   }
   // The same for some hit of a shadow ray that is followed to t_max.
   bool admits_blocker(std::uint32_t index, const Ray& ray, double t_max) const {
     const Entry& e = entries[index];
-    return e.slab.passes(ray) && (!e.in_doubt_as_far_as(ray, t_max) || reaches(ray, index, t_max + kShadowTolerance));
+    if (!e.slab.passes(ray)) return false;
+    return !(e.in_doubt_at(t_max) || e.leaves_box(ray)) ||
+           reaches(ray, index, end_of_boxes(RayKind::shadow, false, t_max));
   }
   bool reaches(const Ray& ray, std::uint32_t index, double best) const;  // whether POV-Ray's hierarchy asks it
   // Calls visit(index, entry) for what a ray may meet before `best` by rounding alone, wherever its box is.
   template <class Visit>
-  void each_blurred(const Ray& ray, double best, Visit&& visit) const {
-    if (none_blurred_from(ray.origin)) return;
-    for (const std::uint32_t i : blurred) {
+  void each_imprecise(const Ray& ray, double best, Visit&& visit) const {
+    if (all_precise_from(ray.origin)) return;
+    for (const std::uint32_t i : imprecise) {
       const Entry& e = entries[i];
-      if (e.blurred_from(ray.origin) && e.slab.passes(ray) && (!e.ranked || hierarchy().reaches(ray, i, best)))
+      if (e.imprecise_from(ray.origin) && e.slab.passes(ray) && (!e.ranked || hierarchy().reaches(ray, i, best)))
         visit(i, e);
     }
   }
-  bool none_blurred_from(const Vec3& origin) const { return length(origin - blurred_center) < none_blurred_within; }
-  bool blurred_for(const RayBatch& rays, int first, int count) const {
-    if (blurred.empty()) return false;
+  bool all_precise_from(const Vec3& origin) const { return length(origin - imprecise_center) < precise_within; }
+  bool any_imprecise_for(const RayBatch& rays, int first, int count) const {
+    if (imprecise.empty()) return false;
     for (int k = first; k < first + count; ++k) {
       const Vec3 origin = rays.at(k).origin;
-      if (none_blurred_from(origin)) continue;
-      for (const std::uint32_t i : blurred)
-        if (entries[i].blurred_from(origin)) return true;
+      if (all_precise_from(origin)) continue;
+      for (const std::uint32_t i : imprecise)
+        if (entries[i].imprecise_from(origin)) return true;
     }
     return false;
   }

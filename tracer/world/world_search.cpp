@@ -36,8 +36,8 @@ class World::Search {
       if (!(e.hidden & mask_) && !s.enclosure.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
     }
   }
-  void test_blurred() {
-    w_.each_blurred(ray_, best(), [this](std::uint32_t i, const Entry& e) {
+  void test_imprecise() {
+    w_.each_imprecise(ray_, best(), [this](std::uint32_t i, const Entry& e) {
       if (!(e.hidden & mask_)) test(*e.shape, i, nullptr);
     });
   }
@@ -61,7 +61,7 @@ class World::Search {
   }
 
  private:
-  double best() const { return kind_ == RayKind::shadow && !found_ ? limit_ + kShadowTolerance : limit_; }
+  double best() const { return end_of_boxes(kind_, found_, limit_); }
   void take(const Hit& hit, std::uint32_t index) {
     const bool nearer = !found_ || hit.t < hit_.t;
     const bool before = coincident_;
@@ -90,8 +90,10 @@ class World::Search {
     Hit other;
     const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
                            : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (!met || !w_.admits(index, ray_, other, best())) return;
-    before_box_ |= w_.entries[index].before_box(ray_, other);
+    if (!met) return;
+    const Impl::Admission admission = w_.admit(index, ray_, other, best());
+    if (admission == Impl::Admission::refused) return;
+    before_box_ |= admission == Impl::Admission::before_box;
     take(other, index);
   }
 
@@ -129,7 +131,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
       },
       entry);
   search.test_around();
-  search.test_blurred();
+  search.test_imprecise();
   if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
@@ -158,7 +160,7 @@ bool World::intersect_along(const Ray& ray, RayKind kind, double t_min, double t
     farthest = round_up(passed + search.limit() + slack);
   }
   search.test_around();
-  search.test_blurred();
+  search.test_imprecise();
   if (search.before_box()) return intersect_in_turn(ray, kind, t_min, t_max, hit);
   if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
@@ -222,9 +224,9 @@ class World::Occlusion {
     }
     return false;
   }
-  bool by_blurred() const {
+  bool by_imprecise() const {
     bool blocked = false;
-    w_.each_blurred(ray_, t_max_ + kShadowTolerance, [&](std::uint32_t, const Entry& e) {
+    w_.each_imprecise(ray_, end_of_boxes(RayKind::shadow, false, t_max_), [&](std::uint32_t, const Entry& e) {
       blocked =
           blocked || (!(e.hidden & kMask) && e.opacity != Opacity::transparent && blocks(*e.shape, e.opacity, nullptr));
     });
@@ -260,7 +262,7 @@ bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* ent
   const Occlusion occlusion(w, ray, t_min, t_max);
   if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry))
     return true;
-  if (occlusion.by_unbounded() || occlusion.by_surrounding() || occlusion.by_blurred()) return true;
+  if (occlusion.by_unbounded() || occlusion.by_surrounding() || occlusion.by_imprecise()) return true;
   if (!entry && !w.few.empty())
     return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
   bool found = false;

@@ -33,6 +33,11 @@ bool was_flagged_opaque(const scene::Object& object, textures::Compiler& compile
          });
 }
 
+// A blob or mesh is only asked for those of its components, be there any or not.
+bool has_parts_with_textures(const scene::Object& object) {
+  return object.as<scene::Mesh>() || object.as<std::shared_ptr<const scene::Blob>>();
+}
+
 }  // namespace
 
 void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler) {
@@ -122,6 +127,47 @@ void World::Impl::find_twice_filtering(std::size_t first) {
     Surface& s = surfaces[i];
     s.filters_twice = !s.opaque && !s.object->no_shadow && s.remembered && blockers.contains(s.remembered);
     filters_twice = filters_twice || s.filters_twice;
+  }
+}
+
+// A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3): adds all
+// textures that there are.
+void World::Impl::add_cutaway(const Shape& shape, const Vec3& p, std::vector<textures::WeightedTexture>& out) const {
+  const auto* csg = shape.object->as<scene::Csg>();
+  if (!csg) {
+    if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, 1});
+    return;
+  }
+  const auto children = shape.children();
+  if (csg->difference) {
+    if (children.empty()) return;
+    // Nested CSG may hold its children the other way round (shapes/csg/csg.cpp).
+    const scene::Object* const first = scene::children_of(*shape.object)[0].get();
+    const Shape& body = children.front()->object == first ? *children.front() : *children.back();
+    if (body.object == first && body.inside_unclipped(p)) add_cutaway(body, p, out);
+    return;
+  }
+  for (const auto& child : children)
+    if (child->inside_unclipped(p)) add_cutaway(*child, p, out);
+}
+
+void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const {
+  out.clear();
+  const Surface& surface = *hit.shape->surface;
+  if (!surface.texture && surface.cutaway && surface.extra_textures().empty()) {
+    if (has_parts_with_textures(*surface.object)) return;  // black
+    impl_->add_cutaway(*surface.cutaway, hit.point, out);
+    for (textures::WeightedTexture& each : out) each.weight = 1 / static_cast<float>(out.size());
+    return;
+  }
+  if (surface.extra_textures().empty()) return;
+  thread_local std::vector<shapes::TextureShare> shares;
+  shares.clear();
+  hit.shape->texture_shares(hit, inside_hit, shares);
+  for (const shapes::TextureShare& share : shares) {
+    const auto* texture =
+        share.texture < 0 ? surface.texture : surface.extra_textures()[static_cast<std::size_t>(share.texture)];
+    if (texture) out.push_back({texture, share.weight});
   }
 }
 

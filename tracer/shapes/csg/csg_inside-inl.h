@@ -63,7 +63,7 @@ unsigned covered(const CsgNode& n, unsigned lanes, const Number& x, const Number
   const Rectangle& r = n.walls->outline;
   lanes &= bits((x <= r.max.x) & (x >= r.min.x) & (z >= r.min.y) & (z <= r.max.y));
   unsigned odd = 0;
-  for (const StraightSegment& w : n.walls->segments) {
+  for (const BoundedSegment& w : n.walls->segments) {
     const typename Number::Mask level = (z >= w.z_low) & (z <= w.z_high) & (x <= w.x_high);
     const unsigned met = bits(level) & lanes, right = w.z_low != w.z_high ? met & bits(x < w.x_low) : 0;
     odd ^= right;

@@ -18,6 +18,8 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
+#include "tracer/shapes/swept/prism_wall.inc"
+
 template <class Number>
 struct Search {
   const CsgTree& tree;
@@ -216,6 +218,21 @@ HWY_INLINE typename Number::Mask passes_beside(const StraightPrism::Walls& prism
                     (max(z0, z1) < box.min.y - margin) | (min(z0, z1) > box.max.y + margin));
 }
 
+// Walls are met at distances of the world.
+template <class Number>
+struct OnWall {
+  using Part = IntsFor<Number>;
+  Search<Number>& s;
+  const CsgNode& n;
+  const Number& scale;
+
+  HWY_INLINE bool any(const typename Number::Mask& where) const { return (bits(where) & s.open) != 0; }
+  HWY_INLINE void operator()(const Number& t, const typename Number::Mask& where, const Part& part) const {
+    if (!any(where)) return;
+    const Number depth = t / scale;
+    consider(s, n, depth, where & within_reach(depth), part);
+  }
+};
 template <class Number>
 void cross_prism(Search<Number>& s, const CsgNode& n) {
   constexpr std::int64_t kCap = -1;
@@ -226,9 +243,6 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
   if ((s.open & ~bits(passes_beside(prism, o, d))) == 0) return;
   const Number scale = sqrt(d.x * d.x + d.y * d.y + d.z * d.z), inverse = Number(1.0) / scale;
   d = {d.x * inverse, d.y * inverse, d.z * inverse};
-  const auto reach = [&](const Number& depth) VERISIM_INLINE_LAMBDA {
-    return (depth > StraightPrism::kNearest) & (depth < StraightPrism::kFarthest);
-  };
   const typename Number::Mask sloping = abs(d.y) > kEpsilon;
   for (const double end : {prism.low, prism.high}) {
     if (prism.open) break;
@@ -238,30 +252,16 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
                                        (z >= prism.outline.min.y) & (z <= prism.outline.max.y);
     if ((bits(near) & s.open) == 0) continue;
     const Number depth = t / scale;
-    if (unsigned lanes = wanted(s, depth, near & reach(t) & reach(depth)); lanes != 0) {
+    if (unsigned lanes = wanted(s, depth, near & within_reach(t) & within_reach(depth)); lanes != 0) {
       lanes = covered(n, lanes, x, z);
       if (lanes != 0) consider_on_ray(s, n, depth, lanes, IntsFor<Number>(kCap));
     }
   }
-  const typename Number::Mask level = sloping | ((o.y >= prism.low) & (o.y <= prism.high)), by_x = abs(d.x) > kEpsilon;
-  const Number run = select(by_x, d.x, d.z);
+  const typename Number::Mask level = sloping | ((o.y >= prism.low) & (o.y <= prism.high));
   std::int64_t part = 0;
-  for (const StraightSegment& w : prism.segments) {
-    const IntsFor<Number> wall(part++);
-    const Number slope = d.z * w.dx + -d.x * w.dz, rise = -(d.z * (Number(w.x) - o.x) + -d.x * (Number(w.z) - o.z));
-    // Most walls are passed by all rays, which takes no quotient: a rounded one is at most 1 where the exact one is,
-    // and at least 0 where it is or underflows.
-    const typename Number::Mask near = level & (abs(rise) <= abs(slope)) & (rise * slope >= -1e-300);
-    if ((bits(near) & s.open) == 0) continue;
-    const Number at = rise / slope;
-    const typename Number::Mask met = near & (abs(slope) > kEpsilon) & (at >= 0) & (at <= 1);
-    if ((bits(met) & s.open) == 0) continue;
-    const Number t = select(by_x, w.dx * at + w.x - o.x, w.dz * at + w.z - o.z) / run, y = o.y + t * d.y;
-    const typename Number::Mask within = met & (y >= prism.low) & (y <= prism.high);
-    if ((bits(within) & s.open) == 0) continue;
-    const Number depth = t / scale;
-    consider(s, n, depth, within & reach(depth), wall);
-  }
+  for (const BoundedSegment& segment : prism.segments)
+    wall_intersection(o, d, segment, prism.low, prism.high, level, IntsFor<Number>(part++),
+                      OnWall<Number>{s, n, scale});
 }
 
 }  // namespace HWY_NAMESPACE

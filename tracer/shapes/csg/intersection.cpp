@@ -226,13 +226,9 @@ class Intersection final : public CsgShape {
                        [&](const InteriorProxy& proxy) { return proxy.holds(ray, near, far); });
   }
 
-  // A hit that a plane cuts away for sure. Some shapes report hits as nearer than their points are: those are left to
-  // the inside test.
-  static bool outside_planes(const Ray& ray, const Way& way, const Hit& hit) {
-    if (hit.t >= way.enter && hit.t <= way.leave) return false;
-    const Vec3 off = hit.point - (ray.origin + hit.t * ray.direction);
-    return std::fabs(off.x) + std::fabs(off.y) + std::fabs(off.z) < 0.5 * PlaneSet::doubt_at(ray.origin);
-  }
+  // A hit that a plane cuts away for sure: its point is that of the ray there. Whose points lie elsewhere strays, and
+  // all is asked.
+  static bool outside_planes(const Way& way, const Hit& hit) { return hit.t < way.enter || hit.t > way.leave; }
 
   bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, Way& way, Hit& hit,
                const Clips* clips = nullptr) const {
@@ -258,7 +254,7 @@ class Intersection final : public CsgShape {
         } else {
           child(i).intersect_all(ray, kind, hits.list());
           for (std::size_t n = kept; n < hits.end(); ++n)
-            if (!outside_planes(ray, way, hits[n])) hits[kept++] = hits[n];
+            if (!outside_planes(way, hits[n])) hits[kept++] = hits[n];
           hits.list().resize(kept);
         }
         while (owners.size() < hits.end() - hits.begin()) owners.add(i);
@@ -301,7 +297,7 @@ class Intersection final : public CsgShape {
       child(i).intersect_all(ray, RayKind::shadow, hits.list());
       for (std::size_t n = hits.begin(); n < hits.end() && !found; ++n) {
         const Hit hit = hits[n];  // inside tests may grow the list
-        found = survives(hit.t, hit.point, i) && !outside_planes(ray, way, hit);
+        found = survives(hit.t, hit.point, i) && !outside_planes(way, hit);
       }
     });
     return found;

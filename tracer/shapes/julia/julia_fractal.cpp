@@ -33,14 +33,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
           const Vec3 in_world = world(point);
           const double distance = depth / r.scale;
           // Too near to be seen: by rays of subsurface light neither, which see what is nearer of other shapes.
-          if (distance < kNearest) return Sink::kNearest && !in_csg_ && !sink.clipped(in_world);
+          if (distance < kNearest) return !in_csg_ && !sink.clipped(in_world);
           const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
           const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
           const bool taken = sink.add(
               distance, [&] { return in_world; }, kept.axis, kept.u, v);
           // Outside CSG the march ends with the first hit, even one too near: refracted rays often do not meet the far
-          // side.
-          return Sink::kNearest && (in_csg_ ? taken || distance >= sink.upper() : !sink.clipped(in_world));
+          // side. So it does in a light that looks like it, be that in CSG.
+          return in_csg_ ? Sink::kNearest && (taken || distance >= sink.upper()) : !sink.clipped(in_world);
         });
   }
 

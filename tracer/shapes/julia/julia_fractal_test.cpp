@@ -77,11 +77,19 @@ TEST(JuliaFractal, TheFirstStepIsPovRays) {
 TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
   const Vec3 d = normalize(Vec3(-0.00226914, -0.173517, 0.984828)), o = Vec3(0, 1.5, -6) + 4.0 * d;
   HitList hits;
-  compile(object(quaternion()))->intersect_all({o, d}, RayKind::query, hits);
+  const auto shape = compile(object(quaternion()));
+  shape->join_csg();
+  shape->intersect_all({o, d}, RayKind::query, hits);
   ASSERT_GE(hits.size(), 3u);
   EXPECT_NEAR(length(hits[0].point - o), hits[0].t, 1e-14);
   EXPECT_NEAR(length(hits[2].point - o), 1.913650444594353, 1e-12);
   EXPECT_NEAR(hits[2].t, 1.823674960382106, 1e-12);
+}
+
+TEST(JuliaFractal, OutsideCsgThereIsOnlyTheFirstHit) {
+  HitList hits;
+  compile(object(quaternion()))->intersect_all({{0, 0, -6}, {0, 0, 1}}, RayKind::query, hits);
+  EXPECT_EQ(hits.size(), 1u);
 }
 
 // `trace` of POV-Ray: the normal hangs on what the search left behind the step at which the iteration escapes.

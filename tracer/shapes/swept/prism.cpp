@@ -5,6 +5,7 @@
 #include "tracer/bvh/bvh.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/intersections.h"
 #include "tracer/shapes/swept/outline_index.h"
 #include "tracer/shapes/swept/plane_curve.h"
 #include "tracer/shapes/swept/straight_prism.h"
@@ -12,6 +13,12 @@
 
 namespace verisim::shapes {
 namespace {
+
+namespace wall {
+using namespace one_ray;
+#include "tracer/shapes/swept/prism_wall.inc"
+}  // namespace wall
+using wall::within_reach;
 
 constexpr std::int32_t kCap = -1;
 enum Axis { along_x, along_z };
@@ -167,6 +174,11 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       if (!middles_[piece].straddles(nx, nz, n0, doubt) || pieces_[piece].segment == i) return;
       i = pieces_[piece].segment;
       const CurveSegment& s = segments_[i].curve;
+      const auto part = static_cast<std::int32_t>(i);
+      if (s.degree == 1 && !conic_) {
+        const auto add = [&](double t, std::int32_t) { return report(t, part, 0), false; };
+        return wall::wall_intersection(o, d, straight(s), low_, high_, true, part, one_ray::Report{add});
+      }
       double falling[4], roots[3];
       for (int k = 0; k <= s.degree; ++k) {
         const Vec2& c = s.c[static_cast<std::size_t>(k)];
@@ -177,9 +189,8 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       constant = conic_ ? constant + n0 : nx * (s.c[0].x - o.x) + nz * (s.c[0].y - o.z);
       int n = 0;
       if (s.degree == 1) {
-        if (std::fabs(falling[0]) <= kEpsilon) return;  // along the wall, or near the tip of a conic sweep
         roots[0] = -constant / falling[0];
-        n = 1;
+        n = wall::is_on_segment(falling[0], roots[0]) ? 1 : 0;
       } else {
         n = solve_polynomial(s.degree, falling, roots, sturm_);
       }
@@ -191,10 +202,10 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
           const double by_x = d.x - x * d.y, by_z = d.z - z * d.y;
           t = std::fabs(by_x) > kEpsilon ? (x * o.y - o.x) / by_x : (z * o.y - o.z) / by_z;
         } else {
-          t = std::fabs(d.x) > kEpsilon ? (x - o.x) / d.x : (z - o.z) / d.z;
+          t = wall::distance_to_wall(o, d, x, z);
         }
         const double y = o.y + t * d.y;
-        if (y >= low_ && y <= high_) report(t, static_cast<std::int32_t>(i), roots[k]);
+        if (y >= low_ && y <= high_) report(t, part, roots[k]);
       }
     });
   }
@@ -262,6 +273,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   static constexpr std::size_t kPieces = 64,
                                kMaxParts = 16;  // of all curved segments together, if they are few; of one
 
+  static StraightSegment straight(const CurveSegment& s) { return {s.c[0].x, s.c[0].y, s.c[1].x, s.c[1].y}; }
   void add_straight() {
     const auto curved = [](const Segment& s) { return s.curve.degree != 1; };
     if (conic_ || guards() || segments_.size() > kMaxSegments || std::ranges::any_of(segments_, curved)) return;
@@ -269,8 +281,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     straight_ = std::make_unique<Walls>(
         Walls{has_matrix() ? &matrix() : nullptr, inverted(), open_, low_, high_, outline_, size, {}});
     for (const Segment& s : segments_)
-      straight_->segments.push_back(
-          {s.curve.c[0].x, s.curve.c[0].y, s.curve.c[1].x, s.curve.c[1].y, s.x_low, s.x_high, s.z_low, s.z_high});
+      straight_->segments.push_back({straight(s.curve), s.x_low, s.x_high, s.z_low, s.z_high});
   }
 
   // The largest coordinate of the outline.

@@ -8,17 +8,17 @@
 
 namespace verisim::shapes {
 
-// (dx w + x, dz w + z) for 0 <= w <= 1, and its bounds.
+// (dx w + x, dz w + z) for 0 <= w <= 1.
 struct StraightSegment {
   double x, z, dx, dz;
+};
+struct BoundedSegment : StraightSegment {
   double x_low, x_high, z_low, z_high;
 };
 
 class StraightPrism {
  public:
   static constexpr std::size_t kMaxSegments = 16;
-  static constexpr double kNearest = 1e-4, kFarthest = 1e7;  // of depths; those of caps in the prism's own space, too
-  static bool within_reach(double t) { return t > kNearest && t < kFarthest; }
 
   struct Walls {
     const Transform* matrix;  // null: none
@@ -26,7 +26,7 @@ class StraightPrism {
     double low, high;
     Rectangle outline;
     double size;  // the largest of all coordinates
-    std::vector<StraightSegment> segments;
+    std::vector<BoundedSegment> segments;
   };
   // Null: it is conic, clipped, has curves or too many segments.
   virtual const Walls* straight_walls() const = 0;

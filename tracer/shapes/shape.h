@@ -145,6 +145,10 @@ class Shape : public scene::Solid {
   virtual bool may_stray() const { return false; }
   virtual bool strays(const Ray& /*ray*/) const { return may_stray(); }
 
+  // All rays meet both at the same distances, in the same parts, as they do copies in one place: only the shape of the
+  // hits differs, which is the one that was asked.
+  virtual bool is_met_like(const Shape& /*other*/) const { return false; }
+
   // It is part of CSG, or of a union that stays whole: POV-Ray asks for all of its hits, where else height fields and
   // fractals end their search.
   virtual void join_csg() {}

@@ -1,6 +1,8 @@
 #include "tracer/world/world.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <limits>
 #include <utility>
 
@@ -112,6 +114,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   w.set_apart(places.in_tree, places.beside);
   w.find_enclosures();
   w.build_trees(places);
+  w.find_twins();
 }
 
 void World::Impl::add_entry(const FrameList& list, std::uint32_t index, bool remove_bounds,
@@ -189,6 +192,31 @@ void World::Impl::build_trees(const Places& places) {
   tree = Bvh(boxes), deep_tree = Bvh(deep_boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
   if (boxes.size() == bounded.size() && boxes.size() <= shapes::BoxSet::kMax) few = shapes::BoxSet(boxes);
+}
+
+// Programs that show an object in many colours put them all in one place.
+void World::Impl::find_twins() {
+  std::map<std::array<float, 6>, std::vector<std::uint32_t>> by_box;
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    const scene::Object& o = *entries[i].object;
+    if (!o.as<scene::Mesh>() || !entries[i].copied) continue;
+    const auto& [low, size] = o.bounds;
+    by_box[{low[0], low[1], low[2], size[0], size[1], size[2]}].push_back(i);
+  }
+  std::uint32_t number = 0;
+  for (const auto& [box, there] : by_box) {
+    constexpr std::size_t kMany = 4;  // fewer are not worth it
+    if (there.size() < kMany) continue;
+    twins.resize(entries.size());
+    // Each is compared with the last one of the kinds found so far.
+    std::vector<std::uint32_t> kinds;
+    for (const std::uint32_t i : there) {
+      const auto same = std::ranges::find_if(
+          kinds, [&](std::uint32_t kind) { return entries[i].shape->is_met_like(*entries[kind].shape); });
+      twins[i] = same == kinds.end() ? ++number : twins[*same];
+      if (same == kinds.end()) kinds.push_back(i);
+    }
+  }
 }
 
 Opacity World::Impl::opacity_of(std::size_t first) {

@@ -155,6 +155,12 @@ struct Prefetch {
 
 constexpr int kMin = 3;  // rays for which this costs less than one walk for each
 
+// What was found out of entries that are met alike (World::Impl::twins).
+struct LastMet {
+  std::uint32_t twins = 0;
+  unsigned asked = 0, met = 0;  // lanes
+};
+
 }  // namespace
 
 // The search for the nearest hits of eight rays.
@@ -251,18 +257,30 @@ class World::BatchSearch {
     });
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
-    if (is_alone(lanes)) {
-      test_alone(shape, index, inner, std::countr_zero(lanes));
-      return;
-    }
-    each_lane(shape.intersect_packet({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
-              [&](int k) { take_admitted(k, rays_.at(k), index); });
+    if (w_.twins_of(index) != 0)
+      test_twin(shape, index, inner, lanes);
+    else
+      each_lane(meet(shape, inner, lanes), [&](int k) { take_admitted(k, rays_.at(k), index); });
   }
-  void test_alone(const Shape& shape, std::uint32_t index, const EntryPoints* inner, int k) {
+  // What its twin was found to meet, if that was asked last, it meets.
+  void test_twin(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
+    if (last_.twins != w_.twins_of(index) || (lanes & ~last_.asked) != 0)
+      last_ = {w_.twins_of(index), lanes, meet(shape, inner, lanes)};
+    each_lane(last_.met & lanes, [&](int k) {
+      others_[k].shape = &shape;
+      if (others_[k].t < limit_[k]) take_admitted(k, rays_.at(k), index);
+    });
+  }
+  // Sets others_ of the lanes that meet it.
+  unsigned meet(const Shape& shape, const EntryPoints* inner, unsigned lanes) {
+    last_.twins = 0;
+    if (!is_alone(lanes))
+      return shape.intersect_packet({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_);
+    const int k = std::countr_zero(lanes);
     const Ray ray = rays_.at(k);
     const bool met = inner ? shape.intersect_from(*inner, ray, kind_, t_min_, limit_[k], others_[k])
                            : shape.intersect(ray, kind_, t_min_, limit_[k], others_[k]);
-    if (met) take_admitted(k, ray, index);
+    return met ? lanes : 0;
   }
   void take_admitted(int k, const Ray& ray, std::uint32_t index) {
     const Impl::Admission admission = w_.admit(index, ray, others_[k], best(k));
@@ -286,6 +304,7 @@ class World::BatchSearch {
   std::uint32_t owner_[kLanes];
   Coincidences coincidences_;
   Hit others_[kLanes];
+  LastMet last_;  // whose hits are others_
 };
 
 void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind kind, double t_min,
@@ -390,20 +409,26 @@ class World::BatchOcclusion {
       if (hits[i].t >= above_ && hits[i].t < t_max_[k] && hits[i].shape->surface->opaque) return true;
     return false;
   }
+  unsigned blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner, unsigned lanes) const {
+    if (opacity != Opacity::opaque) {
+      unsigned blocked = 0;
+      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
+      return blocked;
+    }
+    if (!is_alone(lanes)) return shape.occludes_packet({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
+    const int k = std::countr_zero(lanes);
+    const Ray ray = rays_.at(k);
+    const bool met =
+        inner ? shape.occludes_from(*inner, ray, above_, t_max_[k]) : shape.occludes(ray, above_, t_max_[k]);
+    return met ? lanes : 0;
+  }
   // True if any lane is blocked.
   bool test(const Shape& shape, Opacity opacity, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     if (lanes == 0) return false;
-    unsigned blocked = 0;
-    if (opacity == Opacity::opaque && is_alone(lanes)) {
-      const int k = std::countr_zero(lanes);
-      const Ray ray = rays_.at(k);
-      if (inner ? shape.occludes_from(*inner, ray, above_, t_max_[k]) : shape.occludes(ray, above_, t_max_[k]))
-        blocked = lanes;
-    } else if (opacity == Opacity::opaque) {
-      blocked = shape.occludes_packet({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
-    } else {
-      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
-    }
+    const std::uint32_t twins = opacity == Opacity::opaque ? w_.twins_of(index) : 0;
+    if (twins == 0 || twins != last_.twins || (lanes & ~last_.asked) != 0)
+      last_ = {twins, lanes, blocks(shape, opacity, inner, lanes)};
+    unsigned blocked = last_.met & lanes;
     each_lane(blocked, [&](int k) { blocked &= w_.admits_blocker(index, rays_.at(k), t_max_[k]) ? ~0u : ~(1u << k); });
     open_ &= ~blocked;
     return blocked != 0;
@@ -414,6 +439,7 @@ class World::BatchOcclusion {
   unsigned open_;  // nothing is known to block these
   const double t_min_, above_;
   const double* const t_max_;
+  LastMet last_;
 };
 
 void World::occluded_batch(const RayBatch& rays, int first, int count, double t_min, const double* t_max,

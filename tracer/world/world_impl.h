@@ -232,7 +232,8 @@ struct World::Impl {
   std::deque<Surface::Rest> surface_rests;
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;
-  bool in_order = false;  // too few entries for a hierarchy
+  std::vector<std::uint32_t> twins;  // the same number for entries that are met alike, 0: there is none; or empty
+  bool in_order = false;             // too few entries for a hierarchy
   mutable std::once_flag hierarchy_made;
   mutable Hierarchy made_hierarchy;
   mutable std::once_flag ranks_made;
@@ -262,6 +263,8 @@ struct World::Impl {
   };
   void find_place(std::uint32_t index, Places& places) const;
   void build_trees(const Places& places);
+  void find_twins();
+  std::uint32_t twins_of(std::uint32_t index) const { return twins.empty() ? 0 : twins[index]; }
   // Too few entries for a hierarchy, and of a kind that POV-Ray then tests without its box.
   bool needs_no_box(const scene::Object& o) const;
   // A box with negative sides (spheres of negative radius and the like) hides what POV-Ray looks for by its box.

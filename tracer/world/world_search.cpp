@@ -87,14 +87,19 @@ class World::Search {
     return found;
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
-    Hit other;
-    const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
-                           : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (!met) return;
-    const Impl::Admission admission = w_.admit(index, ray_, other, best());
+    const std::uint32_t twins = w_.twins_of(index);
+    if (twins == 0 || twins != twins_) {
+      met_ = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other_)
+                   : shape.intersect(ray_, kind_, t_min_, limit_, other_);
+      twins_ = twins;
+    } else if (met_) {  // as its twin was, which was asked last
+      other_.shape = &shape;
+    }
+    if (!met_ || other_.t >= limit_) return;
+    const Impl::Admission admission = w_.admit(index, ray_, other_, best());
     if (admission == Impl::Admission::refused) return;
     before_box_ |= admission == Impl::Admission::before_box;
-    take(other, index);
+    take(other_, index);
   }
 
   const Impl& w_;
@@ -106,6 +111,9 @@ class World::Search {
   Hit& hit_;
   bool found_ = false;
   std::uint32_t owner_ = 0;
+  Hit other_;  // of the entry that was asked last
+  bool met_ = false;
+  std::uint32_t twins_ = 0;  // its number (World::Impl::twins)
   bool coincident_ = false;  // another entry was hit in the same place
   Coincidences coincidences_;
   bool before_box_ = false;  // something was hit before its box

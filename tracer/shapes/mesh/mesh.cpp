@@ -50,6 +50,13 @@ class Mesh final : public TreePrimitive<Mesh> {
   // The order in which all hits are found is not POV-Ray's.
   void turn_hits() override {}
 
+  bool is_met_like(const Shape& other) const override {
+    const auto* mesh = dynamic_cast<const Mesh*>(&other);
+    return mesh && geometry_ == mesh->geometry_ && !guards() && !mesh->guards() && in_order_ == mesh->in_order_ &&
+           has_matrix() == mesh->has_matrix() &&
+           (!has_matrix() || (matrix().m == mesh->matrix().m && matrix().inv == mesh->matrix().inv));
+  }
+
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const override {
     if (guards() || tree().empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);

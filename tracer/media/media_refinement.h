@@ -20,9 +20,13 @@ inline MediaSample operator+(const MediaSample& a, const MediaSample& b) {
 inline MediaSample operator/(const MediaSample& a, float s) { return {a.source / s, a.depth / s}; }
 
 // exp(-optical depth)
+inline float transmitted(float optical_depth) {
+  constexpr float kNothing = 104;  // leaves less than half the least number; the library is slow to find it out
+  return optical_depth > kNothing ? 0.0f : std::exp(-optical_depth);
+}
 inline Rgb transmitted(const Rgb& optical_depth) {
   if (optical_depth == Rgb()) return Rgb(1.0f);
-  return {std::exp(-optical_depth.r), std::exp(-optical_depth.g), std::exp(-optical_depth.b)};
+  return {transmitted(optical_depth.r), transmitted(optical_depth.g), transmitted(optical_depth.b)};
 }
 
 inline bool needs_refinement(const MediaSample& a, const MediaSample& b, double threshold) {

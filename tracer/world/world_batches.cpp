@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "tracer/world/world_impl.h"
-#include "tracer/shapes/scratch_hits.h"
 
 namespace verisim::accel {
 namespace {
@@ -383,13 +382,6 @@ class World::BatchOcclusion {
     alignas(64) double t[kLanes];
     open_ &= ~batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, above_, t_max_, t);
   }
-  bool blocks_partly(const Shape& shape, int k) const {
-    shapes::ScratchHits hits;
-    shape.intersect_all(rays_.at(k), RayKind::shadow, hits.list());
-    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-      if (hits[i].t >= above_ && hits[i].t < t_max_[k] && hits[i].shape->surface->opaque) return true;
-    return false;
-  }
   // True if any lane is blocked.
   bool test(const Shape& shape, Opacity opacity, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     if (lanes == 0) return false;
@@ -402,7 +394,7 @@ class World::BatchOcclusion {
     } else if (opacity == Opacity::opaque) {
       blocked = shape.occludes_packet({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
     } else {
-      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
+      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
     }
     each_lane(blocked, [&](int k) { blocked &= w_.admits_blocker(index, rays_.at(k), t_max_[k]) ? ~0u : ~(1u << k); });
     open_ &= ~blocked;

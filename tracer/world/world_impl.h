@@ -165,6 +165,9 @@ class Coincidences {
   bool any_ = false;
 };
 
+// Whether something opaque of a shape that is so in parts lies on a ray, from `near` to before `far`.
+bool blocks_partly(const Shape& shape, const Ray& ray, double near, double far);
+
 // The next number, for numbers above 0.
 inline double next_above(double x) {
   return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x;

@@ -196,6 +196,14 @@ std::vector<const scene::Object*> World::passed(const Ray& ray, RayKind kind, do
   return out;
 }
 
+bool blocks_partly(const Shape& shape, const Ray& ray, double near, double far) {
+  shapes::ScratchHits hits;
+  shape.intersect_all(ray, RayKind::shadow, hits.list());
+  for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+    if (hits[i].t >= near && hits[i].t < far && hits[i].shape->surface->opaque) return true;
+  return false;
+}
+
 // Whether something opaque lies on one ray.
 class World::Occlusion {
  public:
@@ -245,11 +253,7 @@ class World::Occlusion {
   bool blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner) const {
     if (opacity == Opacity::opaque)
       return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
-    shapes::ScratchHits hits;
-    shape.intersect_all(ray_, RayKind::shadow, hits.list());
-    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-      if (hits[i].t >= above_ && hits[i].t < t_max_ && hits[i].shape->surface->opaque) return true;
-    return false;
+    return blocks_partly(shape, ray_, above_, t_max_);
   }
 
   const Impl& w_;

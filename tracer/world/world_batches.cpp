@@ -219,15 +219,15 @@ class World::BatchSearch {
   // Lane k is hit before limit_[k].
   void take(int k, const Hit& hit, std::uint32_t index) {
     const unsigned lane = 1u << k;
-    const bool before = found_ & lane, nearer = !before || hit.t < hits_[k].t;
-    if (before && (!nearer || hits_[k].t <= with_coincident(hit.t))) {
+    const Standing standing(found_ & lane, hits_[k], hit);
+    if (standing.coincident) {
       if (!(coincident_ & lane)) coincidences_.add(k, owner_[k], hits_[k]);
       coincidences_.add(k, index, hit);
       coincident_ |= lane;
     } else {
       coincident_ &= ~lane;
     }
-    if (!nearer) return;
+    if (!standing.nearer) return;
     hits_[k] = hit;
     __builtin_prefetch(hit.shape->surface);  // soon asked for
     owner_[k] = index;

@@ -63,14 +63,13 @@ class World::Search {
  private:
   double best() const { return end_of_boxes(kind_, found_, limit_); }
   void take(const Hit& hit, std::uint32_t index) {
-    const bool nearer = !found_ || hit.t < hit_.t;
-    const bool before = coincident_;
-    coincident_ = found_ && (!nearer || hit_.t <= with_coincident(hit.t));
-    if (coincident_) {
-      if (!before) coincidences_.add(0, owner_, hit_);
+    const Standing standing(found_, hit_, hit);
+    if (standing.coincident) {
+      if (!coincident_) coincidences_.add(0, owner_, hit_);
       coincidences_.add(0, index, hit);
     }
-    if (!nearer) return;
+    coincident_ = standing.coincident;
+    if (!standing.nearer) return;
     found_ = true;
     hit_ = hit;
     owner_ = index;

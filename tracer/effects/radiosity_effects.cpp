@@ -135,7 +135,7 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
   if (finish.subsurface && subsurface && scene_.settings.subsurface_radiosity)
     return {};  // enters through the surface instead
   const Rgb pigment = layer.pigment.rgb();
-  const auto opacity = static_cast<float>(layer.opacity);
+  const float opacity = rounded_opacity(layer.opacity);
   const float bright = (layer.filter * pigment).grey() * opacity;
   TracerFinalGatherer gatherer(*this, tracer);
   shading::FinalGatherNotes ignored;

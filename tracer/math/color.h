@@ -86,4 +86,7 @@ struct Color {
   friend Color operator*(float s, Color a) { return a *= s; }
 };
 
+// An opacity as colours are multiplied by it: computed in double precision, then rounded to single (spec 06 3.3).
+inline float rounded_opacity(double opacity) { return static_cast<float>(opacity); }
+
 }  // namespace verisim

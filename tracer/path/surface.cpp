@@ -74,7 +74,7 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
     const scene::Finish& finish = layer.finish;
     Layer l{&layer, Color(), tracer_.layer_normal(at, layer, p, frames), through, 1, Rgb()};
     const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, l.pigment);
-    l.opacity = static_cast<float>(shading::surface_opacity(l.pigment, data.version));
+    l.opacity = rounded_opacity(shading::surface_opacity(l.pigment, data.version));
     if (finish.reflection.maximum != Rgb() || finish.reflection.minimum != Rgb()) {
       const double eta = finish.reflection.fresnel ? tracer_.fresnel_ratio(ray, *at.surface.interior) : 1.0;
       l.reflectivity = shading::mirror_of(finish.reflection, l.pigment.rgb(), -dot(d, l.normal), eta).reflectivity;

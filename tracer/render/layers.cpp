@@ -58,7 +58,7 @@ class FirstSurface {
       Color c;
       const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
       out.albedo +=
-          filter * c.rgb() * (weight * std::max(0.0f, static_cast<float>(shading::surface_opacity(c, scene_.version))));
+          filter * c.rgb() * (weight * std::max(0.0f, rounded_opacity(shading::surface_opacity(c, scene_.version))));
       if (colored) filter *= c.transmission();
     }
   }

@@ -53,9 +53,9 @@ inline bool reflects_light(const scene::Finish& f) {
   return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0;
 }
 
-// Opacity of a pigment colour for the surface's own light, rounded where POV-Ray rounds it (spec 06 3.3).
+// Opacity of a pigment colour for the surface's own light: before 3.7 it stays in double precision (spec 06 3.3).
 inline double surface_opacity(const Color& c, int version) {
-  return version < 370 ? 1.0 - (c.f * c.rgb().max() + c.t) : static_cast<float>(c.opacity());
+  return version < 370 ? 1.0 - (c.f * c.rgb().max() + c.t) : rounded_opacity(c.opacity());
 }
 
 // Ambient light and emission of a layer, each rounded by itself (spec 06 4.1).

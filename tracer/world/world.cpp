@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "tracer/world/frame_list.h"
@@ -208,8 +208,7 @@ void World::Impl::find_twins() {
     constexpr std::size_t kMany = 4;  // fewer are not worth it
     if (there.size() < kMany) continue;
     twins.resize(entries.size());
-    // Each is compared with the last one of the kinds found so far.
-    std::vector<std::uint32_t> kinds;
+    std::vector<std::uint32_t> kinds;  // the first of each
     for (const std::uint32_t i : there) {
       const auto same = std::ranges::find_if(
           kinds, [&](std::uint32_t kind) { return entries[i].shape->is_met_like(*entries[kind].shape); });

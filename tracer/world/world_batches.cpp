@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "tracer/world/world_impl.h"
-#include "tracer/shapes/scratch_hits.h"
 
 namespace verisim::accel {
 namespace {
@@ -226,15 +225,15 @@ class World::BatchSearch {
   // Lane k is hit before limit_[k].
   void take(int k, const Hit& hit, std::uint32_t index) {
     const unsigned lane = 1u << k;
-    const bool before = found_ & lane, nearer = !before || hit.t < hits_[k].t;
-    if (before && (!nearer || hits_[k].t <= with_coincident(hit.t))) {
+    const Standing standing(found_ & lane, hits_[k], hit);
+    if (standing.coincident) {
       if (!(coincident_ & lane)) coincidences_.add(k, owner_[k], hits_[k]);
       coincidences_.add(k, index, hit);
       coincident_ |= lane;
     } else {
       coincident_ &= ~lane;
     }
-    if (!nearer) return;
+    if (!standing.nearer) return;
     hits_[k] = hit;
     __builtin_prefetch(hit.shape->surface);  // soon asked for
     owner_[k] = index;
@@ -402,17 +401,10 @@ class World::BatchOcclusion {
     alignas(64) double t[kLanes];
     open_ &= ~batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, above_, t_max_, t);
   }
-  bool blocks_partly(const Shape& shape, int k) const {
-    shapes::ScratchHits hits;
-    shape.intersect_all(rays_.at(k), RayKind::shadow, hits.list());
-    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-      if (hits[i].t >= above_ && hits[i].t < t_max_[k] && hits[i].shape->surface->opaque) return true;
-    return false;
-  }
   unsigned blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner, unsigned lanes) const {
     if (opacity != Opacity::opaque) {
       unsigned blocked = 0;
-      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
+      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
       return blocked;
     }
     if (!is_alone(lanes)) return shape.occludes_packet({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);

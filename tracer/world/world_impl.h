@@ -143,6 +143,14 @@ inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 // What a search has to look at when the best hit lies at t: what is in the same place, too.
 inline double with_coincident(double t) { return t + kCoincident * t; }
 
+// How a hit of a search stands to the best one before it, if any was found.
+struct Standing {
+  bool nearer, coincident;  // in the same place
+
+  Standing(bool found, const Hit& best, const Hit& hit)
+      : nearer(!found || hit.t < best.t), coincident(found && (!nearer || best.t <= with_coincident(hit.t))) {}
+};
+
 // Which entries rays were found to meet in one place, and where: for most rays none.
 class Coincidences {
  public:
@@ -164,6 +172,9 @@ class Coincidences {
 
   bool any_ = false;
 };
+
+// Whether something opaque of a shape that is so in parts lies on a ray, from `near` to before `far`.
+bool blocks_partly(const Shape& shape, const Ray& ray, double near, double far);
 
 // The next number, for numbers above 0.
 inline double next_above(double x) {

@@ -63,14 +63,13 @@ class World::Search {
  private:
   double best() const { return end_of_boxes(kind_, found_, limit_); }
   void take(const Hit& hit, std::uint32_t index) {
-    const bool nearer = !found_ || hit.t < hit_.t;
-    const bool before = coincident_;
-    coincident_ = found_ && (!nearer || hit_.t <= with_coincident(hit.t));
-    if (coincident_) {
-      if (!before) coincidences_.add(0, owner_, hit_);
+    const Standing standing(found_, hit_, hit);
+    if (standing.coincident) {
+      if (!coincident_) coincidences_.add(0, owner_, hit_);
       coincidences_.add(0, index, hit);
     }
-    if (!nearer) return;
+    coincident_ = standing.coincident;
+    if (!standing.nearer) return;
     found_ = true;
     hit_ = hit;
     owner_ = index;
@@ -93,9 +92,9 @@ class World::Search {
                    : shape.intersect(ray_, kind_, t_min_, limit_, other_);
       twins_ = twins;
     } else if (met_) {  // as its twin was, which was asked last
-      other_.shape = &shape;
+      other_.shape = &shape, met_ = other_.t < limit_;
     }
-    if (!met_ || other_.t >= limit_) return;
+    if (!met_) return;
     const Impl::Admission admission = w_.admit(index, ray_, other_, best());
     if (admission == Impl::Admission::refused) return;
     before_box_ |= admission == Impl::Admission::before_box;
@@ -204,6 +203,14 @@ std::vector<const scene::Object*> World::passed(const Ray& ray, RayKind kind, do
   return out;
 }
 
+bool blocks_partly(const Shape& shape, const Ray& ray, double near, double far) {
+  shapes::ScratchHits hits;
+  shape.intersect_all(ray, RayKind::shadow, hits.list());
+  for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+    if (hits[i].t >= near && hits[i].t < far && hits[i].shape->surface->opaque) return true;
+  return false;
+}
+
 // Whether something opaque lies on one ray.
 class World::Occlusion {
  public:
@@ -253,11 +260,7 @@ class World::Occlusion {
   bool blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner) const {
     if (opacity == Opacity::opaque)
       return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
-    shapes::ScratchHits hits;
-    shape.intersect_all(ray_, RayKind::shadow, hits.list());
-    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-      if (hits[i].t >= above_ && hits[i].t < t_max_ && hits[i].shape->surface->opaque) return true;
-    return false;
+    return blocks_partly(shape, ray_, above_, t_max_);
   }
 
   const Impl& w_;

@@ -11,7 +11,7 @@ namespace {
 class Blend {
  public:
   void add(const Color& c, const Rgb& emission) {
-    sum_ += c.rgb() * static_cast<float>(c.opacity()) * filter_ * emission;
+    sum_ += c.rgb() * rounded_opacity(c.opacity()) * filter_ * emission;
     filter_ *= c.transmission();
   }
   Color over(const Color& background, const Rgb& /*emission*/) const {

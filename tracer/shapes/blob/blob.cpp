@@ -207,7 +207,7 @@ class Blob final : public SearchPrimitive<Blob> {
     const bool by_tree = spheres_.empty();
     if (by_tree && shared_->capsules)
       each_lane(lanes, [&](int k) {
-        if (contains_point(shared_->box, {l.ox[k], l.oy[k], l.oz[k]})) lanes &= ~(1u << k);
+        if (accel::contains(shared_->box, {l.ox[k], l.oy[k], l.oz[k]})) lanes &= ~(1u << k);
       });
     std::array<const PiecePacket*, IntervalLists::kMaxPieces> ordered;
     for (std::size_t i = 0; i < count; ++i) {
@@ -244,39 +244,36 @@ class Blob final : public SearchPrimitive<Blob> {
   void search_alone(const Ray& ray, std::span<const PiecePacket> met, const LocalPacket& l, int k, Sink& sink) const {
     const LocalRay local{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
     Scratch<Piece> pieces;
+    const auto piece_of = [k](const PiecePacket& p) {
+      return RayPiece{p.t0[k], p.t1[k], p.scale2[k], p.peak[k], p.whole_end[k]};
+    };
     for (const PiecePacket& p : met)
-      if (p.met >> k & 1) add_piece(*p.part, local, {std::max(p.t0[k], 0.0), p.t1[k], p.scale2[k], p.peak[k]}, pieces);
+      if (p.met >> k & 1) add_piece(*p.part, piece_of(p), pieces);
     search(ray, local, pieces, sink, [&] {
       if (spheres_.empty()) return add_halves_behind(local, pieces);  // the tree does not look behind
       const std::size_t before = pieces.size();
       for (const PiecePacket& p : met)
-        if (p.behind >> k & 1) add_half_behind(*p.part, {p.t0[k], p.t1[k], p.whole_end[k]}, pieces);
+        if (p.behind >> k & 1) add_half_behind(*p.part, piece_of(p), pieces);
       return pieces.size() > before;
     });
   }
 
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     RayPiece p;
-    if (blob_kernels().piece(part, l.origin, l.direction, p)) add_piece(part, l, p, pieces);
+    if (blob_kernels().piece(part, l.origin, l.direction, p) && p.t1 > 0) add_piece(part, p, pieces);
   }
-  static void add_piece(const Part& part, const LocalRay& l, const RayPiece& p, Scratch<Piece>& pieces) {
-    if (p.t1 < kNearest && ends_too_near(part, l)) return;
+  static void add_piece(const Part& part, const RayPiece& p, Scratch<Piece>& pieces) {
+    if (p.t1 < kNearest && ends_too_near(part, p)) return;
     Piece& piece = pieces.add();
-    piece.t0 = p.t0, piece.t1 = p.t1, piece.part = &part, piece.scale2 = p.scale2, piece.peak = p.peak;
+    piece.t0 = std::max(0.0, p.t0), piece.t1 = p.t1, piece.part = &part, piece.scale2 = p.scale2, piece.peak = p.peak;
   }
 
   static bool is_half(const Part& part) { return part.kind == PartKind::base || part.kind == PartKind::apex; }
   // Spheres and walls of capsules that end before the first hit may lie are none to POV-Ray; half spheres are.
-  static bool ends_too_near(const Part& part, const LocalRay& l) {
-    LinePiece line;
-    return !is_half(part) && !RaysWithin::now() && blob_kernels().line_piece(part, l.origin, l.direction, line) &&
-           line.whole_end < kNearest;
+  static bool ends_too_near(const Part& part, const RayPiece& p) {
+    return !is_half(part) && !RaysWithin::now() && p.whole_end < kNearest;
   }
 
-  static bool contains_point(const Box3& box, const Vec3& p) {
-    return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z &&
-           p.z <= box.max.z;
-  }
   // Some of a sphere, which no more than rounding makes smaller than the part.
   static bool may_lie_behind(const PartSpheres& spheres, std::size_t i, const LocalRay& l) {
     const Vec3 to(spheres.x[i] - l.origin.x, spheres.y[i] - l.origin.y, spheres.z[i] - l.origin.z);
@@ -286,17 +283,17 @@ class Blob final : public SearchPrimitive<Blob> {
   // Half spheres behind a ray, through which its line passes, are pieces of no length at its start to POV-Ray, added
   // and taken away again: it shows in the last digits of the running sum. They come in the order of the line, but
   // where the plane ends them that is at the start itself. True: there are any.
-  static void add_half_behind(const Part& part, const LinePiece& line, Scratch<Piece>& pieces) {
+  static void add_half_behind(const Part& part, const RayPiece& line, Scratch<Piece>& pieces) {
     Piece& piece = pieces.add();
     piece = Piece();
     piece.t0 = line.t0, piece.t1 = line.t1 < line.whole_end ? 0 : line.t1, piece.part = &part;
   }
   bool add_halves_behind(const LocalRay& l, Scratch<Piece>& pieces) const {
-    if (!contains_point(shared_->box, l.origin)) return false;  // all is before the ray, or nothing
+    if (!accel::contains(shared_->box, l.origin)) return false;  // all is before the ray, or nothing
     const std::size_t before = pieces.size();
     const auto add = [&](const Part& part) {
-      LinePiece line;
-      if (is_half(part) && blob_kernels().line_piece(part, l.origin, l.direction, line) && line.t1 <= 0)
+      RayPiece line;
+      if (is_half(part) && blob_kernels().piece(part, l.origin, l.direction, line) && line.t1 <= 0)
         add_half_behind(part, line, pieces);
     };
     if (!spheres_.empty()) {

@@ -88,15 +88,6 @@ HWY_INLINE typename Number::Mask line_meets(const BlobPart& part, PacketVector<N
   return met & (course.t1 > course.t0) & (course.t1 < HUGE_VAL);
 }
 
-// The lanes that come within reach.
-template <class Number>
-HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number> o, PacketVector<Number> d,
-                                      Course<Number>& course) {
-  const typename Number::Mask met = line_meets(part, o, d, course);
-  course.t0 = max(Number(0.0), course.t0);
-  return met & (course.t1 > 0.0);
-}
-
 // What a part adds to the field at most: that of a positive part is largest where the ray is closest.
 template <class Number>
 HWY_INLINE Number peak_of(const BlobPart& part, const Course<Number>& course) {
@@ -149,7 +140,7 @@ HWY_INLINE bool take_piece(const BlobPart& part, const RayVectors& o, const RayV
   if ((piece.met | piece.behind) == 0) return false;
   store(piece.t0, piece.behind != 0 ? course.t0 : max(Packet(0.0), course.t0)), store(piece.t1, course.t1);
   store(piece.scale2, course.scale2), store(piece.peak, peak_of(part, course));
-  if (piece.behind != 0) store(piece.whole_end, course.whole_end);
+  store(piece.whole_end, course.whole_end);
   piece.part = &part;
   return true;
 }
@@ -197,18 +188,9 @@ bool find_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction,
   using One = PacketOf<1>;
   Course<One> course;
   const PacketVector<One> o = {origin.x, origin.y, origin.z}, d = {direction.x, direction.y, direction.z};
-  if (bits(meet(part, o, d, course)) == 0) return false;
-  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.scale2, course.scale2);
-  store(&piece.peak, peak_of(part, course));
-  return true;
-}
-
-bool find_line_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction, LinePiece& piece) {
-  using One = PacketOf<1>;
-  Course<One> course;
-  const PacketVector<One> o = {origin.x, origin.y, origin.z}, d = {direction.x, direction.y, direction.z};
   if (bits(line_meets(part, o, d, course)) == 0) return false;
-  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.whole_end, course.whole_end);
+  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.scale2, course.scale2);
+  store(&piece.peak, peak_of(part, course)), store(&piece.whole_end, course.whole_end);
   return true;
 }
 
@@ -372,8 +354,8 @@ void ranks(const double* numbers, int count, double* places) {
   }
 }
 
-const BlobKernels kKernels = {near_parts, parts_around,    find_pieces,    find_pieces_in_tree,
-                              find_piece, find_line_piece, find_intervals, ranks};
+const BlobKernels kKernels = {near_parts, parts_around,   find_pieces, find_pieces_in_tree,
+                              find_piece, find_intervals, ranks};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -23,8 +23,8 @@ struct BlobPart {
 };
 
 // A part is within reach for t0 < t < t1 along rays; no more than `peak` does it add to the field, but for rounding.
-// `scale2` is the squared length of the direction beside the squared radius. Half spheres may lie behind rays: then t0
-// is negative, and `whole_end` is where the line leaves the whole sphere.
+// `scale2` is the squared length of the direction beside the squared radius, `whole_end` where the line of a ray leaves
+// the sphere or the endless cylinder that the part is cut from. Half spheres may lie behind rays: then t0 is negative.
 struct alignas(64) PiecePacket {
   using Lane = double[RayPacket::kCount];
   Lane t0, t1, scale2, peak, whole_end;
@@ -32,15 +32,9 @@ struct alignas(64) PiecePacket {
   unsigned met, behind;  // by these lanes; of these
 };
 
-// The same of one ray.
+// The same of the endless line along one ray: any part may lie behind the ray's start, or around it.
 struct RayPiece {
-  double t0, t1, scale2, peak;
-};
-
-// Of the endless line along a ray, which may lie behind the ray's start. `whole_end`: where it leaves the sphere or the
-// endless cylinder that the part is cut from.
-struct LinePiece {
-  double t0, t1, whole_end;
+  double t0, t1, scale2, peak, whole_end;
 };
 
 // Spheres around eight parts; behind the last part stand spheres that nothing meets.
@@ -84,9 +78,8 @@ struct BlobKernels {
   // The same for all parts, which are found by a tree; more than `most`: there is no room for all of them.
   std::size_t (*pieces_in_tree)(const BlobPart* parts, const accel::Bvh& tree, const LocalPacket& rays, unsigned active,
                                 PiecePacket* pieces, std::size_t most);
-  // Whether one ray comes within reach of a part, and where.
+  // Whether the line of one ray comes within reach of a part, and where.
   bool (*piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece);
-  bool (*line_piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, LinePiece& piece);
   // The intervals of some lanes that lie in front of their rays, of kMaxPieces pieces at most, in the order of parts.
   void (*intervals)(const PiecePacket* const* pieces, std::size_t count, const LocalPacket& rays, unsigned lanes,
                     const IntervalQuery& query, IntervalLists& found);

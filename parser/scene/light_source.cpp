@@ -67,20 +67,25 @@ class LightReader {
     for (int* size : {&l.size1, &l.size2}) *size = std::abs(std::max(*size, -std::numeric_limits<int>::max()));
   }
 
-  scene::ObjectPtr parse_attached(const scene::ObjectPtr& previous, const char* keyword) {
+  // `place`: where the object is moved before the modifiers that follow it in the braces; null: nowhere.
+  scene::ObjectPtr parse_attached(const scene::ObjectPtr& previous, const char* keyword, const Vec3* place) {
     if (previous) parser.error(Code::duplicate, std::string("Only one ") + keyword + " allowed per light source.");
     parser.next();
     parser.expect('{');
     std::shared_ptr<scene::Object> attached = parse_object(parser);
     if (!attached) parser.error_expected("object");
-    // The braces of looks_like take the modifiers of an object, too.
+    if (place) {
+      scene::TransformSteps steps;
+      steps.translate(*place);
+      move_while_read(*attached, steps);
+    }
     parse_object_modifiers(parser, *attached);
     check_nesting(parser, *attached);
     return attached;
   }
 
   void parse_projected_through() {
-    scene::ObjectPtr attached = parse_attached(light().projected_through, "projected_through");
+    scene::ObjectPtr attached = parse_attached(light().projected_through, "projected_through", nullptr);
     auto& through = const_cast<scene::Object&>(*attached);
     if (through.texture || through.interior_texture)
       parser.warning(Code::no_effect, "Texture of projected_through object is removed.");
@@ -92,9 +97,8 @@ class LightReader {
   }
 
   void parse_looks_like() {
-    scene::ObjectPtr attached = parse_attached(light().looks_like, "looks_like");
+    scene::ObjectPtr attached = parse_attached(light().looks_like, "looks_like", &light().position);
     auto& shape = const_cast<scene::Object&>(*attached);
-    scene::translate(shape, light().position);
     shape.no_shadow = true;
     let_photons_pass(parser, shape);
     light().looks_like = attached;

@@ -101,6 +101,12 @@ Transform parse_transform(Parser& parser) {
   }
 }
 
+void move_while_read(scene::Object& object, const scene::TransformSteps& steps) {
+  scene::apply(object, steps);
+  if (object.texture && !object.uv_mapping && scene::ends_in_solid_color(*object.texture))
+    steps.add_to(object.solid_steps, 0);
+}
+
 bool parse_object_transform(Parser& parser, scene::Object& object) {
   const auto parse_into = [&](scene::TransformSteps& steps) {
     switch (word_at(parser)) {
@@ -131,9 +137,7 @@ bool parse_object_transform(Parser& parser, scene::Object& object) {
   while (!steps.full() && parse_into(steps)) {
   }
   if (!steps.size()) return false;
-  scene::apply(object, steps);
-  if (object.texture && !object.uv_mapping && scene::ends_in_solid_color(*object.texture))
-    steps.add_to(object.solid_steps, 0);
+  move_while_read(object, steps);
   return true;
 }
 

@@ -84,14 +84,30 @@ Transform Transform::rotation(const Vec3& degrees) {
   return {Affine(m), Affine(transposed(m))};
 }
 
-Transform Transform::axis_rotation(const Vec3& axis, double radians) {
+namespace {
+
+// Sets the rows of the rotation.
+template <class Matrix>
+void rotate_about(const Vec3& axis, double radians, Matrix& m) {
   const Vec3 k = normalize(axis);
   const double c = std::cos(radians), s = std::sin(radians), u = 1.0 - c;
-  Mat4 m;
   m[0][0] = k.x * k.x + c * (1.0 - k.x * k.x), m[0][1] = k.x * k.y * u + k.z * s, m[0][2] = k.x * k.z * u - k.y * s;
   m[1][0] = k.x * k.y * u - k.z * s, m[1][1] = k.y * k.y + c * (1.0 - k.y * k.y), m[1][2] = k.y * k.z * u + k.x * s;
   m[2][0] = k.x * k.z * u + k.y * s, m[2][1] = k.y * k.z * u - k.x * s, m[2][2] = k.z * k.z + c * (1.0 - k.z * k.z);
+}
+
+}  // namespace
+
+Transform Transform::axis_rotation(const Vec3& axis, double radians) {
+  Mat4 m;
+  rotate_about(axis, radians, m);
   return {Affine(m), Affine(transposed(m))};
+}
+
+Vec3 Transform::rotated(const Vec3& d, const Vec3& axis, double radians) {
+  Affine m;
+  rotate_about(axis, radians, m);
+  return apply_direction(m, d);
 }
 
 Transform Transform::from_matrix(const Mat4& matrix) {

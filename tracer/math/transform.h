@@ -35,6 +35,8 @@ struct Transform {
   static Transform scaling(const Vec3& s);  // components must be non-zero (the parser replaces zeros by 1 and warns)
   static Transform rotation(const Vec3& degrees);                    // about x, then y, then z
   static Transform axis_rotation(const Vec3& axis, double radians);  // Rodrigues; axis need not be unit
+  // axis_rotation(axis, radians).direction(d)
+  static Vec3 rotated(const Vec3& d, const Vec3& axis, double radians);
   static Transform from_matrix(
       const Mat4& matrix);  // inverts numerically (cofactors); throws std::domain_error when singular
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include <boost/container/static_vector.hpp>
+
 #include "tracer/media/media_kernels.h"
 #include "tracer/math/scaled.h"
 #include "tracer/media/media_refinement.h"
@@ -53,6 +55,7 @@ struct MediaBatch::Workspace {
   std::vector<Interval> intervals;
   std::vector<const shading::Light*> lights;
   std::vector<LitRange> lit;       // of each light, of each ray
+  std::vector<bool> shines;        // each light, on any ray
   std::vector<MediaSample> first;  // of the grid and the middles of its intervals
   MediaRefinement tree;            // first those of the grids
   std::vector<Question> questions;
@@ -61,6 +64,10 @@ struct MediaBatch::Workspace {
   Vec3 points[kMax];
   double distances[kMax];
   textures::RgbBatch extinction, scattering, source;  // source: emission, then what lights add
+  struct Scatterer {                                  // a question in a lit piece where something scatters
+    std::uint32_t question, ray;
+  };
+  boost::container::static_vector<Scatterer, kMax> scatterers;
   MediaPacket packet;
   shading::ShadowBatch shadows;
   std::size_t question[kMax];  // of each lane
@@ -104,6 +111,7 @@ void MediaBatch::divide(std::span<const MediaSegment> rays) {
     if (shines_on_media(light.source())) workspace_.lights.push_back(&light), sources.push_back(&light.source());
   }
   workspace_.lit.assign(sources.size() * rays.size(), LitRange{0, 1.0, -1.0});
+  workspace_.shines.assign(sources.size(), false);
   const std::size_t each = 2 * static_cast<std::size_t>(mixture_.subintervals()) + 1;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const MediaSegment& s = rays[i];
@@ -113,7 +121,8 @@ void MediaBatch::divide(std::span<const MediaSegment> rays) {
       workspace_.dividing.look_for_lights(sources, s.ray, s.length);
       workspace_.dividing.divide(mixture_, s.length);
       if (workspace_.dividing.all().size() * each <= kMaxPlaces) {
-        for (const LitRange& range : workspace_.dividing.lit()) workspace_.lit[range.light * rays.size() + i] = range;
+        for (const LitRange& range : workspace_.dividing.lit())
+          workspace_.lit[range.light * rays.size() + i] = range, workspace_.shines[range.light] = true;
         for (const MediaInterval& span : workspace_.dividing.all())
           workspace_.intervals.push_back({span, static_cast<std::uint32_t>(i)});
       }
@@ -236,7 +245,9 @@ void MediaBatch::ask(std::span<const Question> questions, MediaSample* samples) 
     if (m->scatters) add(count, density, m->description->scattering, workspace_.scattering);
   }
   if (mixture_.scatters) {
-    for (std::size_t light = 0; light < workspace_.lights.size(); ++light) add_light(light, questions);
+    find_scatterers(questions);
+    for (std::size_t light = 0; light < workspace_.lights.size(); ++light)
+      if (workspace_.shines[light]) add_light(light, questions);
     for (std::size_t i = 0; i < count; ++i) {
       const Rgb scattering = at(workspace_.scattering, i);
       const NearbyPhotons near =
@@ -253,22 +264,28 @@ void MediaBatch::ask(std::span<const Question> questions, MediaSample* samples) 
   }
 }
 
+void MediaBatch::find_scatterers(std::span<const Question> questions) {
+  workspace_.scatterers.clear();
+  for (std::uint32_t i = 0; i < questions.size(); ++i) {
+    const Workspace::Interval& interval = workspace_.intervals[questions[i].interval];
+    if (interval.span.lit && !(at(workspace_.scattering, i).max_abs() <= 0.0f))
+      workspace_.scatterers.push_back({i, interval.ray});
+  }
+}
+
 void MediaBatch::add_light(std::size_t number, std::span<const Question> questions) {
   const shading::Light& light = *workspace_.lights[number];
   MediaPacket& packet = workspace_.packet;
   // Where it shines.
   const LitRange* const lit = workspace_.lit.data() + number * workspace_.rays.size();
   int count = 0;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const Workspace::Interval& interval = workspace_.intervals[questions[i].interval];
-    const LitRange& range = lit[interval.ray];
-    const Rgb scattering = at(workspace_.scattering, i);
-    if (!interval.span.lit || workspace_.distances[i] < range.first || workspace_.distances[i] > range.last ||
-        scattering.max_abs() <= 0.0f || workspace_.rays[interval.ray].lost)
+  for (const auto& [i, ray] : workspace_.scatterers) {
+    const LitRange& range = lit[ray];
+    if (workspace_.distances[i] < range.first || workspace_.distances[i] > range.last || workspace_.rays[ray].lost)
       continue;
     packet.to_light.origin.set(count, workspace_.points[i]);
-    packet.view.set(count, workspace_.ray(questions[i].interval).direction);
-    packet.scattering.set(count, scattering);
+    packet.view.set(count, workspace_.subintervals[ray].ray.direction);
+    packet.scattering.set(count, at(workspace_.scattering, i));
     workspace_.question[count++] = i;
   }
   if (count == 0) return;

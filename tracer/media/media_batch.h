@@ -30,6 +30,7 @@ class MediaBatch {
   void look_along();
   void refine();
   void ask(std::span<const Question> questions, MediaSample* samples);
+  void find_scatterers(std::span<const Question> questions);
   void add_light(std::size_t number, std::span<const Question> questions);
   Rgb light_alone(const shading::Light& light, int lane, std::uint32_t ray, const Rgb& color);
   MediaSample refine_alone(std::uint32_t interval, const MediaSample& s1, double d1, const MediaSample& s3, double d3,

@@ -205,15 +205,17 @@ void World::Impl::find_twins() {
   }
   std::uint32_t number = 0;
   for (const auto& [box, there] : by_box) {
-    constexpr std::size_t kMany = 4;  // fewer are not worth it
+    constexpr std::size_t kMany = 4, kMaxKinds = 64;  // fewer are not worth it, more take too long to compare
     if (there.size() < kMany) continue;
     twins.resize(entries.size());
     std::vector<std::uint32_t> kinds;  // the first of each
     for (const std::uint32_t i : there) {
       const auto same = std::ranges::find_if(
           kinds, [&](std::uint32_t kind) { return entries[i].shape->is_met_like(*entries[kind].shape); });
-      twins[i] = same == kinds.end() ? ++number : twins[*same];
-      if (same == kinds.end()) kinds.push_back(i);
+      if (same != kinds.end())
+        twins[i] = twins[*same];
+      else if (kinds.size() < kMaxKinds)
+        kinds.push_back(i), twins[i] = ++number;
     }
   }
 }

@@ -89,9 +89,8 @@ std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
     }
     case Kind::spherical: {
       const double horizontal = uc * horizontal_, vertical = wc * vertical_;
-      const Vec3 raised = Transform::axis_rotation(view_.right, -vertical).direction(view_.direction);
-      return PrimaryRay{{location_, Transform::axis_rotation(view_.up, horizontal).direction(raised)},
-                        {horizontal, vertical}};
+      const Vec3 raised = Transform::rotated(view_.direction, view_.right, -vertical);
+      return PrimaryRay{{location_, Transform::rotated(raised, view_.up, horizontal)}, {horizontal, vertical}};
     }
     case Kind::mesh_camera:
       break;

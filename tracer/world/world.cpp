@@ -1,7 +1,7 @@
 #include "tracer/world/world.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <limits>
 #include <map>
 #include <utility>
@@ -92,6 +92,14 @@ bool within_finite_box(const Shape& shape) {
          contains(surface, solid.box.max);
 }
 
+std::uint32_t hash_of(const scene::Bounds& box) {
+  std::uint64_t hash = 0;
+  for (const auto& corner : {box.low, box.size})
+    for (const float v : corner)
+      hash = (hash ^ std::bit_cast<std::uint32_t>(v)) * 0x9e3779b97f4a7c15u, hash ^= hash >> 29;
+  return static_cast<std::uint32_t>(hash);
+}
+
 // A shadow ray may meet something there that is not opaque.
 bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
 
@@ -114,7 +122,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   w.set_apart(places.in_tree, places.beside);
   w.find_enclosures();
   w.build_trees(places);
-  w.find_twins();
+  w.find_twins(places.copies);
 }
 
 void World::Impl::add_entry(const FrameList& list, std::uint32_t index, bool remove_bounds,
@@ -139,31 +147,30 @@ void World::Impl::add_entry(const FrameList& list, std::uint32_t index, bool rem
   entries.push_back(e);
   if (lets_light_through(e)) transparent_shadows = true;
   if (o.interior) interiors = true;
-  if (const Box3 box = e.box(); !e.infinite && !is_empty(box)) bounds.extendBy(box);
+  if (!e.infinite && !e.no_box) bounds.extendBy(e.box());
   if (!is_never_met(e) && imprecise_afar(first_surface)) imprecise.push_back(index);
 }
 
 bool World::Impl::needs_no_box(const scene::Object& o) const { return in_order && exempt_from_box_test(o); }
 
-bool World::Impl::is_never_met(const Entry& e) const { return is_empty(e.box()) && !needs_no_box(*e.object); }
+bool World::Impl::is_never_met(const Entry& e) const { return e.no_box && !needs_no_box(*e.object); }
 
 void World::Impl::find_box_tests(Entry& e) const {
   const scene::Object& o = *e.object;
-  const bool empty = is_empty(e.box());
-  e.test_box =
-      !empty && (e.infinite || in_order) && !cheaper_than_box_test(o) && !needs_no_box(o) && volume(o.bounds) < 7e30f;
-  if (!empty && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
+  e.no_box = is_empty(e.box());
+  e.test_box = !e.no_box && (e.infinite || in_order) && !cheaper_than_box_test(o) && !needs_no_box(o) &&
+               volume(o.bounds) < 7e30f;
+  if (!e.no_box && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
   // Some of those without a box have a surface of finite size all the same, as solids cut out by planes do.
   e.test_surface = !is_never_met(e) && is_boxless(e) && !cheaper_than_box_test(o) && within_finite_box(*e.shape);
 }
 
-bool World::Impl::is_boxless(const Entry& e) const {
-  return e.infinite || is_empty(e.box()) || needs_no_box(*e.object);
-}
+bool World::Impl::is_boxless(const Entry& e) const { return e.infinite || e.no_box || needs_no_box(*e.object); }
 
 void World::Impl::find_place(std::uint32_t index, Places& places) const {
   const Entry& e = entries[index];
   if (is_never_met(e)) return;
+  if (e.copied && e.object->as<scene::Mesh>()) places.copies.push_back({index, hash_of(e.object->bounds)});
   if (e.test_surface && !in_order)
     places.perhaps_in_tree.push_back(index);
   else if (is_boxless(e) || in_order)
@@ -195,17 +202,18 @@ void World::Impl::build_trees(const Places& places) {
 }
 
 // Programs that show an object in many colours put them all in one place.
-void World::Impl::find_twins() {
-  std::map<std::array<float, 6>, std::vector<std::uint32_t>> by_box;
-  for (std::uint32_t i = 0; i < entries.size(); ++i) {
-    const scene::Object& o = *entries[i].object;
-    if (!o.as<scene::Mesh>() || !entries[i].copied) continue;
-    const auto& [low, size] = o.bounds;
-    by_box[{low[0], low[1], low[2], size[0], size[1], size[2]}].push_back(i);
-  }
+void World::Impl::find_twins(const std::vector<Places::Copy>& copies) {
+  constexpr std::uint8_t kMany = 4;      // fewer are not worth it
+  constexpr std::size_t kMaxKinds = 64;  // more take too long to compare
+  // Most scenes have no two boxes alike, which is to cost next to nothing: of hundreds of thousands, too.
+  std::vector<std::uint8_t> alike(std::bit_ceil(2 * copies.size() + 1));
+  const auto place = [&](const Places::Copy& copy) -> std::uint8_t& { return alike[copy.hash & (alike.size() - 1)]; };
+  for (const Places::Copy& copy : copies) place(copy) = static_cast<std::uint8_t>(std::min(place(copy) + 1, +kMany));
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_box;
+  for (const Places::Copy& copy : copies)
+    if (place(copy) == kMany) by_box[copy.hash].push_back(copy.entry);
   std::uint32_t number = 0;
-  for (const auto& [box, there] : by_box) {
-    constexpr std::size_t kMany = 4, kMaxKinds = 64;  // fewer are not worth it, more take too long to compare
+  for (const auto& [hash, there] : by_box) {
     if (there.size() < kMany) continue;
     twins.resize(entries.size());
     std::vector<std::uint32_t> kinds;  // the first of each

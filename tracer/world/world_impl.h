@@ -58,6 +58,7 @@ struct Entry {
   bool edged = false;         // and its surface may run along edges of its box
   bool cut = false;           // or reach out of its box, which decides what is seen
   bool strays = false;        // hits of some rays may lie out of the box (Shape::strays)
+  bool no_box = false;        // its box has negative sides
   // Rays that come from farther meet its box in POV-Ray's hierarchy, if it is there, by rounding: they may be refused,
   // or the box be moved.
   float exact_within = std::numeric_limits<float>::infinity();
@@ -271,10 +272,14 @@ struct World::Impl {
   struct Places {
     std::vector<std::uint32_t> in_tree, beside;
     std::vector<std::uint32_t> perhaps_in_tree;  // POV-Ray has no box for them, but their surfaces are of finite size
+    struct Copy {
+      std::uint32_t entry, hash;  // of its box
+    };
+    std::vector<Copy> copies;  // of meshes
   };
   void find_place(std::uint32_t index, Places& places) const;
   void build_trees(const Places& places);
-  void find_twins();
+  void find_twins(const std::vector<Places::Copy>& copies);
   std::uint32_t twins_of(std::uint32_t index) const { return twins.empty() ? 0 : twins[index]; }
   // Too few entries for a hierarchy, and of a kind that POV-Ray then tests without its box.
   bool needs_no_box(const scene::Object& o) const;

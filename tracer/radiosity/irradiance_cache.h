@@ -44,13 +44,15 @@ class IrradianceCache {
   void set_memory_limit(std::uint64_t bytes) { memory_limit_ = bytes; }
   const std::vector<IrradianceSample>& samples() const { return samples_; }
   bool empty() const { return samples_.empty(); }
-  // Whether POV-Ray's lookup comes to sample a of this cache before sample b: the last that was filed in a cell is the
-  // first of it.
-  bool comes_before(const IrradianceSample& a, const IrradianceSample& b) const {
-    const auto i = &a - samples_.data(), j = &b - samples_.data();
-    const auto order = orders_[i] <=> orders_[j];
-    return order != 0 ? order < 0 : i > j;
-  }
+  // When POV-Ray's lookup comes to a sample of this cache: the last that was filed in a cell is the first of it.
+  struct Turn {
+    OctreeOrder cell;
+    const IrradianceSample* sample;
+    friend bool operator<(const Turn& a, const Turn& b) {
+      return a.cell < b.cell || (a.cell == b.cell && a.sample > b.sample);
+    }
+  };
+  Turn turn_of(const IrradianceSample& sample) const { return {orders_[&sample - samples_.data()], &sample}; }
 
   // Calls visit(sample, squared distance) for every sample of this depth that POV-Ray's lookup finds from x and that is
   // nearer than bound * its mean distance, in the order they were added. Those may be left out of which the larger of

@@ -21,6 +21,17 @@ bool IrradianceTree::meets(const Cube& cube, const Entry& entry) {
   return squared <= entry.radius * entry.radius * (1.0 + 1e-9);
 }
 
+std::uint32_t IrradianceTree::beside(const Cube& cube, const Entry& entry) {
+  constexpr std::uint32_t kUpper[3] = {0xAA, 0xCC, 0xF0};  // the octants of the upper half along each axis
+  const double margin = 1e-11 * cube.reach();
+  std::uint32_t octants = 0;
+  for (int a = 0; a < 3; ++a) {
+    if (entry.within.max[a] < cube.center[a] - margin) octants |= kUpper[a];
+    if (entry.within.min[a] > cube.center[a] + margin) octants |= ~kUpper[a];
+  }
+  return octants & 0xFF;
+}
+
 IrradianceTree::Node IrradianceTree::add_leaf() {
   leaves_.emplace_back();
   Node node;
@@ -96,8 +107,10 @@ void IrradianceTree::insert(Node& node, const Cube& cube, std::uint32_t sample, 
                             const Entries& entries) {
   if (!meets(cube, entry)) return;
   if (!node.leaf) {
+    const std::uint32_t far = beside(cube, entry);
     // By number: lists may grow below.
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      if (far >> octant & 1) continue;
       Node child = branches_[node.number][octant];
       insert(child, cube.child(octant), sample, entry, entries);
       branches_[node.number][octant] = child;

@@ -70,6 +70,8 @@ class IrradianceTree {
 
   static bool contains(const Cube& cube, const Box3& box);
   static bool meets(const Cube& cube, const Entry& entry);
+  // Octants of a cube that surely do not meet the entry, as bits.
+  static std::uint32_t beside(const Cube& cube, const Entry& entry);
   Node add_leaf();
   void grow(const Entry& entry);
   void insert(Node& node, const Cube& cube, std::uint32_t sample, const Entry& entry, const Entries& entries);

@@ -34,7 +34,12 @@ class OctreeOrder {
     upper_ = interleaved(x >> kHalf, y >> kHalf, z >> kHalf);
     lower_ = interleaved(x & kLower, y & kLower, z & kLower) << kLevelBits | static_cast<std::uint64_t>(finer);
   }
-  friend auto operator<=>(const OctreeOrder&, const OctreeOrder&) = default;
+  // Without branches: what is compared is in no order that a processor could foretell.
+  friend bool operator<(const OctreeOrder& a, const OctreeOrder& b) {
+    return static_cast<int>(a.upper_ < b.upper_) |
+           (static_cast<int>(a.upper_ == b.upper_) & static_cast<int>(a.lower_ < b.lower_));
+  }
+  friend bool operator==(const OctreeOrder&, const OctreeOrder&) = default;
 
  private:
   // Of coordinates below 2^32 in units of the smallest side; 3 * kBits / 2 + kLevelBits fit in a word.

@@ -153,7 +153,7 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
     kernels.weigh(weights, count, batch);
     for (int i = 0; i < count; ++i) {
       if (batch.weight[i] > IrradianceBatch::kNone)
-        contributions_.push_back({samples[i], batch.weight[i] * samples[i]->quality});
+        contributions_.push_back({cache.turn_of(*samples[i]), batch.weight[i] * samples[i]->quality});
     }
     count = 0;
   };
@@ -169,11 +169,9 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
   });
   if (count > 0) weigh_batch();
   // The last bit of the sum hangs on the order.
-  std::ranges::sort(contributions_, [&](const Contribution& a, const Contribution& b) {
-    return cache.comes_before(*a.sample, *b.sample);
-  });
+  std::ranges::sort(contributions_, std::less<>(), &Contribution::turn);
   for (const Contribution& c : contributions_) {
-    estimate.sum += scaled(c.sample->irradiance, c.weight);
+    estimate.sum += scaled(c.turn.sample->irradiance, c.weight);
     estimate.weight += c.weight;
   }
 }

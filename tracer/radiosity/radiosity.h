@@ -102,7 +102,7 @@ class RadiosityTask {
     double weight = 0;
   };
   struct Contribution {
-    const IrradianceSample* sample;
+    IrradianceCache::Turn turn;
     double weight;
   };
   void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,

@@ -94,9 +94,9 @@ TEST(IrradianceCache, SamplesOfOneCellComeTheLastOneFirst) {
   s.normal = {0, 1, 0}, s.mean_distance = 1;
   for (const double x : {0.1, 0.11, -40.0}) s.point = {x, 0, 0}, cache.add(s);
   const auto& samples = cache.samples();
-  EXPECT_TRUE(cache.comes_before(samples[1], samples[0]));
-  EXPECT_TRUE(cache.comes_before(samples[2], samples[0]));
-  EXPECT_FALSE(cache.comes_before(samples[0], samples[0]));
+  EXPECT_TRUE(cache.turn_of(samples[1]) < cache.turn_of(samples[0]));
+  EXPECT_TRUE(cache.turn_of(samples[2]) < cache.turn_of(samples[0]));
+  EXPECT_FALSE(cache.turn_of(samples[0]) < cache.turn_of(samples[0]));
 }
 
 TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {

@@ -10,7 +10,8 @@
 namespace verisim::shapes {
 namespace {
 
-constexpr std::size_t kMaxNodes = 160;
+constexpr std::size_t kMaxNodes = 512, kMaxTests = 1 << 15;
+constexpr std::size_t kMaxAbreast = 160;  // children of one node
 // Nodes are looked at one after another. Of many parts side by side, every so many have a box around them, below which
 // nothing is looked at that no ray meets.
 constexpr std::size_t kRun = 8, kMaxWithoutRuns = 12;
@@ -28,7 +29,7 @@ double surface(const Box3& b) {
 bool scattered(std::span<const std::unique_ptr<Shape>> shapes) {
   constexpr std::size_t kFew = 5 * kRun;
   if (shapes.size() <= kFew) return false;
-  if (shapes.size() > kMaxNodes) return true;
+  if (shapes.size() > kMaxAbreast) return true;
   if (2 * std::ranges::count_if(shapes, [](const auto& shape) { return is_simple(*shape); }) < std::ssize(shapes))
     return false;
   Box3 all;
@@ -112,7 +113,7 @@ struct CsgTree::Builder {
   }
   // Returns what an inside test of all of them costs. `top`: all of the object is within each.
   double add_children(CsgNode& n, std::span<const std::unique_ptr<Shape>> children, bool top) {
-    std::uint32_t indices[kMaxNodes];
+    std::uint32_t indices[kMaxAbreast];
     std::uint32_t* end = indices;
     double sum = 0;
     for (std::size_t i = 0; i < children.size(); i += kRun) {
@@ -235,6 +236,7 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   builder.add_clips();
   std::vector<CsgTest> path;
   builder.add_tests(0, path);
+  if (tree->tests.size() > kMaxTests) return nullptr;
   tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
   tree->proxies.assign(proxies.begin(), proxies.end());
   return tree;

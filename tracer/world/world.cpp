@@ -181,9 +181,8 @@ void World::Impl::find_place(std::uint32_t index, Places& places) const {
 
 void World::Impl::build_trees(const Places& places) {
   for (const std::uint32_t i : places.beside) add_beside_tree(i, entries[i]);
-  std::vector<Box3> boxes;
-  boxes.reserve(places.in_tree.size() + places.perhaps_in_tree.size()), bounded.reserve(boxes.capacity());
-  for (const std::uint32_t i : places.in_tree) boxes.push_back(add_bounded(i, entries[i]));
+  bounded.reserve(places.in_tree.size() + places.perhaps_in_tree.size());
+  for (const std::uint32_t i : places.in_tree) add_bounded(i, entries[i]);
   // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to
   // the largest of them.
   constexpr double kOutsized = 4;
@@ -192,13 +191,18 @@ void World::Impl::build_trees(const Places& places) {
   };
   for (const std::uint32_t i : places.perhaps_in_tree) {
     if (longest(entries[i].shape->bounds()) <= kOutsized * longest(bounds))
-      boxes.push_back(add_bounded(i, entries[i]));
+      add_bounded(i, entries[i]);
     else
       add_beside_tree(i, entries[i]);
   }
-  tree = Bvh(boxes), deep_tree = Bvh(deep_boxes);
-  std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
-  if (boxes.size() == bounded.size() && boxes.size() <= shapes::BoxSet::kMax) few = shapes::BoxSet(boxes);
+  // Boxes are asked for again instead of being kept: of many objects they would be memory that nobody needs later.
+  const auto box = [&](std::size_t i) { return box_to_keep(entries[bounded[i].entry]); };
+  tree = Bvh(bounded.size(), box, 1), deep_tree = Bvh(deep_boxes);
+  if (bounded.size() > shapes::BoxSet::kMax) return;
+  std::vector<Box3> boxes;
+  for (std::size_t i = 0; i < bounded.size(); ++i) boxes.push_back(box(i));
+  if (std::ranges::none_of(boxes, [](const Box3& b) { return is_empty(b) || !is_finite(b); }))
+    few = shapes::BoxSet(boxes);
 }
 
 // Programs that show an object in many colours put them all in one place.
@@ -309,15 +313,16 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
   for (const Surrounding& s : around) std::erase(finite, s.entry), std::erase(beside, s.entry);
 }
 
-Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
+// The true bounds of the surface where POV-Ray's box encloses them.
+Box3 World::Impl::box_to_keep(const Entry& e) { return e.cut || e.strays ? e.box_of_hits() : e.shape->bounds(); }
+
+void World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
-  // The true bounds of the surface where POV-Ray's box encloses them.
-  const Box3 box = e.box(), kept = e.cut || e.strays ? e.box_of_hits() : e.shape->bounds();
+  const Box3 box = e.box(), kept = box_to_keep(e);
   const shapes::SolidExtent solid = e.shape->solid_extent();
   const Box3 inside = solid.outside ? box : shapes::common(box, solid.box);
   if (!is_empty(inside) && !(contains(kept, inside.min) && contains(kept, inside.max)))
     deep.push_back(index), deep_boxes.push_back(inside);
-  return kept;
 }
 
 void World::Impl::find_enclosures() {

@@ -295,7 +295,8 @@ struct World::Impl {
   template <class Kind>
   bool any_surface_of(std::size_t first);
   void add_beside_tree(std::uint32_t index, const Entry& e);
-  Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
+  static Box3 box_to_keep(const Entry& e);  // in the tree
+  void add_bounded(std::uint32_t index, const Entry& e);
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
   void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);

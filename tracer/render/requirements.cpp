@@ -15,7 +15,8 @@ void check_light(const scene::LightSource& light, const scene::SourceLocation& p
     throw Unsupported("area_light with more than 16777216 samples", place);
 }
 
-void check_media(const std::vector<scene::Media>& media) {
+template <class AllMedia>
+void check_media(const AllMedia& media) {
   for (const scene::Media& m : media)
     if (m.intervals > kMaxMediaIntervals) throw Unsupported("media with more than 256 intervals", m.place);
 }

@@ -105,7 +105,7 @@ struct Interior {
         refraction = 1;  // caustics: 45 * the number written
   int dispersion_samples = 7;
   Rgb fade_color;
-  std::vector<Media> media;
+  List<Media> media;
   bool ior_given = false;  // without an ior there is no dispersion, either (spec 06 6.1)
   bool hollow = false;     // of the objects that share this interior; the last one written wins (spec 06 6.1)
 };

@@ -38,13 +38,15 @@ class RandomSource {
   // Called at the start of every camera ray.
   void begin_sample(double x, double y, std::uint32_t n) { begin(sample_key(x, y, n)); }
 
-  double shading() { return replay_ ? table(streams_.shading) : next(0); }  // area light and rainbow jitter
-  double media() { return replay_ ? table(streams_.media) : next(1); }
+  double shading() { return replay_ ? table(streams_.shading) : next(kShading); }  // area light and rainbow jitter
+  double media() { return replay_ ? table(streams_.media) : next(kMedia); }
   double crand() {
-    if (!replay_) return next(2);
+    if (!replay_) return next(kCrand);
     streams_.crand = 1812433253u * streams_.crand + 12345u;
     return streams_.crand / 4294967295.0;
   }
+  // The n-th of them, n >= 1, of a sequence from its beginning; not in replay mode.
+  static double crand(Key key, std::uint64_t n) { return number(key, kCrand, n); }
   // How far POV-Ray's streams have been read.
   struct Streams {
     std::uint32_t shading = 0, media = 0, crand = 0;
@@ -52,8 +54,8 @@ class RandomSource {
   Streams& streams() { return streams_; }
   bool replay() const { return replay_; }
   // Whether any number was drawn since begin().
-  bool drawn() const { return drawn_outside_media() || counters_[1] != 0; }
-  bool drawn_outside_media() const { return (counters_[0] | counters_[2]) != 0; }
+  bool drawn() const { return drawn_outside_media() || counters_[kMedia] != 0; }
+  bool drawn_outside_media() const { return (counters_[kShading] | counters_[kCrand]) != 0; }
   // Of the sequence that is being drawn from.
   Key key() const { return key_; }
 
@@ -64,9 +66,11 @@ class RandomSource {
     z = (z ^ z >> 27) * 0x94D049BB133111EBu;
     return z ^ z >> 31;
   }
-  double next(unsigned purpose) {
-    return static_cast<double>(mix(key_ + (++counters_[purpose] * 4 + purpose) * 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53;
+  static constexpr unsigned kShading = 0, kMedia = 1, kCrand = 2;
+  static double number(Key key, unsigned purpose, std::uint64_t n) {
+    return static_cast<double>(mix(key + (n * 4 + purpose) * 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53;
   }
+  double next(unsigned purpose) { return number(key_, purpose, ++counters_[purpose]); }
   static double table(std::uint32_t& index);
 
   bool replay_;

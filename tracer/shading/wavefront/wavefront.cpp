@@ -33,6 +33,7 @@ Wavefront::Wavefront(Tracer& tracer, bool asks_around)
 int Wavefront::add_lane(int i, const Material& m, const Vec3& normal) {
   const int k = count_++;
   pixel_[k] = i;
+  grains_[k] = 0;
   surface_[k] = hits_[i].shape->surface;
   packet_.to_light.origin.set(k, hits_[i].point);
   packet_.normal.set(k, normal);
@@ -192,7 +193,7 @@ void Wavefront::evaluate_lobes() {
       if (packet_.uncertain[k] && packet_.lit[k] != 0 && packet_.amount[k] * packet_.shines[k] != 0)
         packet_.strength[k] = highlights(k)[material_[k]->lobes & kPhong ? 0 : 1];
   }
-  if (lobes_ & (kBothHighlights | kBrilliance)) evaluate_special_lobes();
+  if (lobes_ & (kBothHighlights | kBrilliance | kGrain)) evaluate_special_lobes();
   if ((lobes_ & kFilm) || filmed_) tint_by_films();
 }
 
@@ -215,6 +216,11 @@ void Wavefront::evaluate_special_lobes() {
     if (packet_.lit[k] == 0) continue;
     if ((material_[k]->lobes & kBrilliance) && packet_.diffuse[k] != 0)
       packet_.scattered[k] = packet_.diffuse[k] * brilliance(finish_[k]->brilliance, packet_.cosine[k]);
+    if (material_[k]->lobes & kGrain) {
+      const bool back = packet_.cosine[k] < kEpsilon && packet_.two_sided[k] == 0;
+      if ((back ? finish_[k]->diffuse_back : finish_[k]->diffuse) > 0)
+        packet_.scattered[k] -= finish_[k]->crand * RandomSource::crand(keys_[pixel_[k]], ++grains_[k]);
+    }
     if ((material_[k]->lobes & kBothHighlights) && packet_.shines[k] != 0) {
       const auto [phong, blinn] = highlights(k);
       packet_.strength[k] = phong, packet_.second[k] = blinn;
@@ -248,6 +254,30 @@ Color Wavefront::shown(const Leaf& leaf, int& lane) {
   return result;
 }
 
+// The child of `outer` that `group` is or lies in; kNoGroup: it does not lie there.
+int Wavefront::child_around(int group, int outer) const {
+  while (group != kNoGroup && groups_[static_cast<std::size_t>(group)].outer != outer)
+    group = groups_[static_cast<std::size_t>(group)].outer;
+  return group;
+}
+
+// What the leaves from `leaf` on that lie in a group show together; moves to the leaf and the lane behind them.
+Color Wavefront::sum_of(int group, int& leaf, int end, int& lane) {
+  Color sum;
+  while (leaf < end) {
+    const Leaf& next = leaves_[static_cast<std::size_t>(leaf)];
+    if (next.group == group) {
+      sum += scaled(shown(next, lane), next.weight);
+      ++leaf;
+    } else if (const int child = child_around(next.group, group); child != kNoGroup) {
+      sum += scaled(sum_of(child, leaf, end, lane), groups_[static_cast<std::size_t>(child)].weight);
+    } else {
+      break;
+    }
+  }
+  return sum;
+}
+
 // The colours of pixels from their layers and textures.
 void Wavefront::sum_layers(Color* out) {
   for (int k = 0; k < count_;) {
@@ -257,10 +287,9 @@ void Wavefront::sum_layers(Color* out) {
     if (met.single) {
       sum += Rgb(packet_.direct.r[k], packet_.direct.g[k], packet_.direct.b[k]);
       ++k;
-    }
-    for (int l = met.first; l < met.first + met.leaves; ++l) {
-      const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
-      sum += scaled(shown(leaf, k), leaf.weight);
+    } else {
+      int leaf = met.first;
+      sum = sum_of(kNoGroup, leaf, met.first + met.leaves, k);
     }
     result = sum;
   }
@@ -337,6 +366,8 @@ void Wavefront::run(int count, const accel::WorldEntry* const* entries, Color* o
 // What is known to be hit.
 void Wavefront::shade(int count, Color* out) {
   leaves_.clear();
+  groups_.clear();
+  frames_.clear();
   parts_.clear();
   branches_.clear();
   varying_count_ = 0;

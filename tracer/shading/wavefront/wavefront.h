@@ -58,7 +58,8 @@ class Wavefront {
     Highlight highlight;  // Phong's, or where there is none Blinn's
     unsigned lobes = 0;   // how it responds to light, as bits
   };
-  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16, kFilm = 32;
+  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16, kFilm = 32,
+                            kGrain = 64;
   // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for
   // them.
   using Materials = std::vector<Material>;
@@ -74,11 +75,18 @@ class Wavefront {
     int next = -1;         // the layer below
     int mirror = -1;       // its branch
   };
+  // The entries that show of a texture which is itself an entry of another: their sum counts there.
+  struct Group {
+    int outer;
+    double weight;
+  };
+  static constexpr int kNoGroup = -1;
   // One of the textures that show at a hit.
   struct Leaf {
     int ray = 0;
     const Materials* materials = nullptr;
-    const textures::CompiledTexture* around = nullptr;  // the texture it is part of
+    int group = kNoGroup;             // of the texture of textures that it is an entry of
+    int first_frame = 0, frames = 0;  // textures around it, and others that were looked into before
     Vec3 point;
     double weight = 1;
     Rgb filter{1};
@@ -92,10 +100,11 @@ class Wavefront {
     Vec3 normal, point;      // with `single`: to shade with, and where its patterns are asked
     Rgb color;
     int first = 0, leaves = 0, parts = 0;  // leaves and all their parts
+    int first_frame = 0;                   // of the leaves
     std::optional<SurfaceHit> at;          // with leaves
   };
 
-  bool shaded_together(const textures::CompiledTexture& texture) const;
+  bool shaded_together(const textures::CompiledTexture& texture, int depth) const;
   Materials find_materials(const textures::CompiledTexture& texture) const;
   const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);
@@ -111,8 +120,12 @@ class Wavefront {
   void find_thickness(const Material& material, const int* leaves, int n, double* thickness) const;
   void find_colors_and_normals(const Material& material, const int* leaves, int n);
   bool faces_finitely(int i, const Vec3& normal) const;
-  void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
-                double weight);
+  Leaf& add_leaf(int i, const Materials& found, const Vec3& point, double weight);
+  bool sees_left_normal(int i, const textures::CompiledTexture& texture) const;
+  void add_entries(int i, const textures::CompiledTexture& texture, const Vec3& p, int group, TextureFrames* frames);
+  const textures::CompiledTexture& frame(const Leaf& leaf, int f) const {
+    return *frames_[static_cast<std::size_t>(leaf.first_frame + f)];
+  }
   Part& begin_part(Leaf& leaf);
   Rgb add_mirror(const Leaf& leaf, Part& part);
 
@@ -166,6 +179,8 @@ class Wavefront {
   void show(Color* out);
   void sum_layers(Color* out);
   Color shown(const Leaf& leaf, int& lane);
+  Color sum_of(int group, int& leaf, int end, int& lane);
+  int child_around(int group, int outer) const;
   void light(const Light& light);
   void aim(const Light& light);
   bool reach(const Light& light);
@@ -187,6 +202,8 @@ class Wavefront {
   std::pair<const shapes::Shape*, const Material*> last_single_[2]{};                   // met from outside, from inside
   std::vector<textures::WeightedTexture> weighted_;                                     // of one hit
   std::vector<Leaf> leaves_;
+  std::vector<Group> groups_;
+  std::vector<const textures::CompiledTexture*> frames_;
   std::vector<Part> parts_;
   std::vector<Branch> branches_;
   std::vector<Crossing> crossings_;
@@ -213,6 +230,7 @@ class Wavefront {
   Met met_[kMax];
   bool found_[kMax];
   int pixel_[kMax];                      // several lanes in a row may be of one
+  std::uint32_t grains_[kMax];           // how many random numbers of crand were drawn for it
   const Material* material_[kMax] = {};  // whose numbers stand in the lane
   const Part* part_[kMax];               // null: single
   const shapes::Surface* surface_[kMax];

@@ -3,35 +3,43 @@
 #include "tracer/shading/finish.h"
 #include "tracer/shading/wavefront/wavefront.h"
 #include "tracer/textures/evaluation/pigment.h"
+#include "tracer/textures/patterns/pattern.h"
 
 namespace verisim::shading {
 namespace {
 
 constexpr std::size_t kMaxTextures = 8, kMaxLayers = 8;  // of a hit; what has more goes the common way
+// Of a map two textures show at most, but of one in another there may be more.
+constexpr int kMaxNesting = 4;
 
 bool is_mirror(const scene::Finish& f) { return f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb(); }
 
 }  // namespace
 
-// Layers without noise in their colours.
-bool Wavefront::shaded_together(const textures::CompiledTexture& texture) const {
-  if (texture.patterned() || texture.layers.size() > kMaxLayers) return false;
-  for (const textures::CompiledLayer& layer : texture.layers) {
-    const scene::Finish& f = layer.finish;
-    if (f.crand > 0 || (f.subsurface && scene_.effects && scene_.effects->subsurface)) return false;
+// `depth`: textures around this one.
+bool Wavefront::shaded_together(const textures::CompiledTexture& texture, int depth) const {
+  if (texture.patterned()) {
+    return depth < kMaxNesting && !texture.map.empty() && (!texture.average || texture.map.size() <= kMaxTextures) &&
+           std::ranges::all_of(texture.map,
+                               [&](const auto& entry) { return shaded_together(*entry.value, depth + 1); });
   }
-  return true;
+  if (texture.layers.size() > kMaxLayers) return false;
+  int grainy = 0;
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    grainy += layer.finish.crand > 0;
+    if (layer.finish.subsurface && scene_.effects && scene_.effects->subsurface) return false;
+  }
+  // The numbers of several grainy layers are drawn layer by layer, while these are lit light by light.
+  return grainy == 0 || (grainy == 1 && depth == 0);
 }
 
 Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& texture) const {
   Materials all;
+  if (!shaded_together(texture, 0)) return all;
   if (texture.patterned()) {
-    bool simple = !texture.map.empty() && texture.map.size() <= kMaxTextures;
-    for (const auto& entry : texture.map) simple = simple && shaded_together(*entry.value);
-    if (simple) all.emplace_back();
+    all.emplace_back();
     return all;
   }
-  if (!shaded_together(texture)) return all;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
     Material& m = all.emplace_back();
@@ -45,7 +53,7 @@ Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& 
                : f.specular > 0 ? kBlinn
                                 : 0) |
               (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) |
-              (f.brilliance != 1 ? kBrilliance : 0) | (f.irid > 0 ? kFilm : 0);
+              (f.brilliance != 1 ? kBrilliance : 0) | (f.irid > 0 ? kFilm : 0) | (f.crand > 0 ? kGrain : 0);
     m.single = m.only && !m.mirror && !layer.pigment->transparent && !indirect_ && !photons_ &&
                !(m.constant && !is_finite(m.color.rgb())) && !(m.lobes & kFilm);
     const bool finite = is_finite(f.ambient * scene_.ambient_light) && is_finite(f.emission) &&
@@ -163,33 +171,58 @@ void Wavefront::find_singles(const Material& material, const int* rays, int n) {
 }
 
 // Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
-void Wavefront::add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
-                         double weight) {
+Wavefront::Leaf& Wavefront::add_leaf(int i, const Materials& found, const Vec3& point, double weight) {
   Leaf& leaf = leaves_.emplace_back();
   leaf.ray = i;
   leaf.materials = &found;
-  leaf.around = around;
   leaf.point = point;
   leaf.weight = weight;
+  return leaf;
+}
+
+// Patterns that look at the surface see the normal that the textures before have left.
+bool Wavefront::sees_left_normal(int i, const textures::CompiledTexture& texture) const {
+  if (!texture.pattern || !scene::info(texture.pattern->kind).is(scene::PatternInfo::kNotRemembered)) return false;
+  return std::any_of(leaves_.begin() + met_[i].first, leaves_.end(), [](const Leaf& leaf) {
+    return std::ranges::any_of(*leaf.materials, [](const Material& m) { return m.layer->normal != nullptr; });
+  });
+}
+
+// The textures that show of a patterned one, and of those among them. `frames`: those that were looked into before.
+void Wavefront::add_entries(int i, const textures::CompiledTexture& texture, const Vec3& p, int group,
+                            TextureFrames* frames) {
+  Met& met = met_[i];
+  const TextureParts parts(tracer_.selection_, texture, p, met.at->texture_point, frames);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const textures::WeightedTexture entry = parts[k];
+    if (entry.weight == 0 && !texture.average) continue;
+    const Materials& inner = materials(*entry.texture);
+    const bool fits = leaves_.size() - static_cast<std::size_t>(met.first) < kMaxTextures;
+    if (inner.empty() || entry.weight == 0 || !fits || sees_left_normal(i, *entry.texture)) {
+      met.together = false;
+    } else if (entry.texture->patterned()) {
+      groups_.push_back({group, entry.weight});
+      add_entries(i, *entry.texture, parts.point, static_cast<int>(groups_.size()) - 1, &parts.frames);
+    } else {
+      Leaf& leaf = add_leaf(i, inner, parts.point, entry.weight);
+      leaf.group = group;
+      // To those of the leaf before some were added, if any.
+      while (frames_.size() - static_cast<std::size_t>(met.first_frame) < parts.frames.size())
+        frames_.push_back(&parts.frames[frames_.size() - static_cast<std::size_t>(met.first_frame)]);
+      leaf.first_frame = met.first_frame, leaf.frames = static_cast<int>(parts.frames.size());
+    }
+    if (!met.together) return;
+  }
 }
 
 void Wavefront::add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found) {
   Met& met = met_[i];
   const Vec3 p = met.at->pattern_point();
   if (!texture.patterned()) {
-    add_leaf(i, found, nullptr, p, 1);
+    add_leaf(i, found, p, 1);
   } else {
-    textures::WeightedTexture storage[kMaxTextures];
-    Vec3 warped;
-    for (const textures::WeightedTexture& entry :
-         textures::select(texture, p, &met.at->texture_point, storage, warped)) {
-      if (entry.weight == 0 && !texture.average) continue;
-      const Materials& inner = materials(*entry.texture);
-      if (inner.empty() || entry.weight == 0)
-        met.together = false;
-      else
-        add_leaf(i, inner, &texture, warped, entry.weight);
-    }
+    met.first_frame = static_cast<int>(frames_.size());
+    add_entries(i, texture, p, kNoGroup, nullptr);
   }
   met.leaves = static_cast<int>(leaves_.size()) - met.first;
   met.together = met.together && met.leaves > 0;
@@ -202,10 +235,17 @@ void Wavefront::add_weighted_leaves(int i) {
   met.together = true;
   for (const textures::WeightedTexture& entry : weighted_) {
     if (entry.weight < tracer_.bailout(state_)) continue;
-    if (const Materials& found = materials(*entry.texture); entry.texture->patterned() || found.empty())
+    const Materials& found = materials(*entry.texture);
+    const bool grainy = std::ranges::any_of(found, [](const Material& m) { return m.lobes & kGrain; });
+    if (found.empty() || grainy || sees_left_normal(i, *entry.texture)) {
       met.together = false;
-    else
-      add_leaf(i, found, nullptr, p, entry.weight);
+    } else if (entry.texture->patterned()) {
+      groups_.push_back({kNoGroup, entry.weight});
+      met.first_frame = static_cast<int>(frames_.size());
+      add_entries(i, *entry.texture, p, static_cast<int>(groups_.size()) - 1, nullptr);
+    } else {
+      add_leaf(i, found, p, entry.weight);
+    }
   }
   met.leaves = static_cast<int>(leaves_.size()) - met.first;
   met.together = met.together && met.leaves > 0;
@@ -325,15 +365,16 @@ void Wavefront::find_colors_and_normals(const Material& material, const int* lea
     SurfaceHit& at = *met_[leaf.ray].at;
     points.set(k, leaf.point);
     surfaces[k] = &at.texture_point;
-    normals_[k] =
-        perturbed && leaf.around ? textures::enter_frame(*leaf.around, at.geometric_normal) : at.geometric_normal;
+    normals_[k] = at.geometric_normal;
+    for (int f = 0; perturbed && f < leaf.frames; ++f) normals_[k] = textures::enter_frame(frame(leaf, f), normals_[k]);
   }
   points.fill_up(n);
   if (perturbed) {
     textures::perturb(*perturbed, n, points, surfaces, normals_);
-    for (int k = 0; k < n; ++k)
-      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around)
-        normals_[k] = textures::leave_frame(*around, normals_[k]);
+    for (int k = 0; k < n; ++k) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+      for (int f = leaf.frames; f-- > 0;) normals_[k] = textures::leave_frame(frame(leaf, f), normals_[k]);
+    }
   }
   textures::evaluate(*material.layer->pigment, n, points, surfaces, colors_, colored_);
 }

@@ -269,7 +269,7 @@ TEST(PathIntegratorInTheCornellBox, AgreesWithARadiositySolution) {
     options.threads = 0;
     const auto picture = render_text(text + camera, 8, 8, options);
     Rgb traced, solved;
-    for (const Color& c : picture.pixels) traced += c.rgb() * (1.0f / 64);
+    for (const render::PixelColor& c : picture.pixels) traced += c.rgb() * (1.0f / 64);
     constexpr int kGathers = 40;  // squared
     for (int i = 0; i < kGathers * kGathers; ++i) {
       const double x = (i % kGathers + uniform(random)) / kGathers - 0.5,

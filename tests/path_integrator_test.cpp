@@ -22,7 +22,7 @@ const std::string kDown = "camera { orthographic location <0,0.5,0> right x*0.00
 
 Rgb mean(const render::Framebuffer& picture) {
   double sum[3] = {};
-  for (const Color& c : picture.pixels) sum[0] += c.r, sum[1] += c.g, sum[2] += c.b;
+  for (const render::PixelColor& c : picture.pixels) sum[0] += c.r, sum[1] += c.g, sum[2] += c.b;
   const auto n = static_cast<double>(picture.pixels.size());
   return {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n)};
 }

@@ -347,7 +347,8 @@ reflection .2 } }
   const auto part = render_text(scene, 64, 48, options);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 64; ++x)
-      EXPECT_EQ(part.at(x, y), x >= 16 && x < 48 && y >= 16 && y < 32 ? one.at(x, y) : Color()) << x << ',' << y;
+      EXPECT_EQ(part.at(x, y), x >= 16 && x < 48 && y >= 16 && y < 32 ? one.at(x, y) : render::PixelColor())
+          << x << ',' << y;
   options.seed = 1;
   EXPECT_NE(render_text(scene, 64, 48, options).at(20, 20), one.at(20, 20));
 }

@@ -99,9 +99,10 @@ Canvas blank(const Options& options, const Region& part, const std::vector<Block
   }
   const std::size_t pixels =
       static_cast<std::size_t>(canvas.framebuffer.width) * static_cast<std::size_t>(canvas.framebuffer.height);
-  const bool large = pixels * sizeof(Color) >> 20 >= static_cast<std::size_t>(std::max(0, options.max_image_buffer));
+  const bool large =
+      pixels * sizeof(render::PixelColor) >> 20 >= static_cast<std::size_t>(std::max(0, options.max_image_buffer));
   if (!large || !folder || !canvas.framebuffer.pixels.assign_in_file(pixels, *folder))
-    canvas.framebuffer.pixels.assign(pixels, Color());
+    canvas.framebuffer.pixels.assign(pixels, {});
   canvas.framebuffer.done.assign(pixels, 0);
   if (!part.empty())
     canvas.pixels = static_cast<std::uint64_t>(part.last_column - part.first_column + 1) *

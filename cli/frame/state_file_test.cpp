@@ -54,8 +54,8 @@ class StateFileTest : public testing::Test {
       for (int y = 0; y < kBlock; ++y)
         for (int x = 0; x < kBlock; ++x) {
           const Block b = block(i);
-          const Color& pixel = got.at(b.x + x, b.y + y);
-          ASSERT_EQ(pixel, i < blocks ? want.at(b.x + x, b.y + y) : Color()) << i;
+          const render::PixelColor& pixel = got.at(b.x + x, b.y + y);
+          ASSERT_EQ(pixel, i < blocks ? want.at(b.x + x, b.y + y) : render::PixelColor()) << i;
         }
   }
   fs::path path_;

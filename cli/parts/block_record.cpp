@@ -43,20 +43,18 @@ std::string color_record(const Block& block, const Block& place, const render::F
                          std::uint64_t key) {
   std::string record = head_of(block, kColorBytes);
   each_pixel(place, framebuffer.width, [&](std::size_t i) {
-    const Color& c = framebuffer.pixels[i];
+    const render::PixelColor& c = framebuffer.pixels[i];
     put_bytes(record, std::array{c.r, c.g, c.b, c.t});
   });
   put_bytes(record, checksum(record, key));
   return record;
 }
 
-void read_colors(std::string_view record, const Block& block, Color* to, std::size_t stride) {
+void read_colors(std::string_view record, const Block& block, render::PixelColor* to, std::size_t stride) {
   ByteSource in(record.substr(kRecordHead));
   for (int y = 0; y < block.height; ++y, to += stride) {
     for (int x = 0; x < block.width; ++x) {
-      float values[4];
-      for (float& value : values) value = in.take<float>();
-      to[x] = Color(values[0], values[1], values[2], 0, values[3]);
+      for (float* value : {&to[x].r, &to[x].g, &to[x].b, &to[x].t}) *value = in.take<float>();
     }
   }
 }

@@ -34,7 +34,7 @@ bool record_is_whole(std::string_view record, std::uint64_t key);
 std::string color_record(const Block& block, const Block& place, const render::Framebuffer& framebuffer,
                          std::uint64_t key);
 // Of a whole record of the block; row y of the block goes to `to + y * stride`.
-void read_colors(std::string_view record, const Block& block, Color* to, std::size_t stride);
+void read_colors(std::string_view record, const Block& block, render::PixelColor* to, std::size_t stride);
 
 // Of the layers that are wanted.
 std::size_t layer_bytes(const render::Layers& wanted);

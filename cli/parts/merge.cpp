@@ -102,10 +102,10 @@ class MergedRows {
     });
   }
 
-  const Color* row(int y) {
+  const render::PixelColor* row(int y) {
     while (y >= end_ && next_ < places_.size() && places_[next_].block.y <= y) load();
     if (y < first_ || y >= end_) {  // beside the region that was rendered
-      blank_.assign(width_, Color());
+      blank_.assign(width_, {});
       return blank_.data();
     }
     return band_.data() + static_cast<std::size_t>(y - first_) * width_;
@@ -122,7 +122,7 @@ class MergedRows {
     if (stop_) throw std::runtime_error("interrupted");
     const Block& head = places_[next_].block;
     first_ = head.y, end_ = head.y + head.height;
-    band_.assign(width_ * static_cast<std::size_t>(head.height), Color());
+    band_.assign(width_ * static_cast<std::size_t>(head.height), {});
     for (; next_ < places_.size() && places_[next_].block.y == first_; ++next_) {
       const Place& p = places_[next_];
       read_colors(parts_.open(p.part).color_record(p.number), p.block, band_.data() + p.block.x, width_);
@@ -135,7 +135,7 @@ class MergedRows {
   std::vector<Place> places_;
   std::size_t next_ = 0;
   int first_ = 0, end_ = 0;
-  std::vector<Color> band_, blank_;
+  std::vector<render::PixelColor> band_, blank_;
 };
 
 // What a render of the whole picture to this file would have been told.

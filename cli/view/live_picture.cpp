@@ -194,7 +194,7 @@ void LivePicture::publish(const render::Framebuffer& frame, int x, int y, int wi
   tile.colors.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   for (int row = y; row < y + height; ++row)
     for (int column = x; column < x + width; ++column) {
-      const Color& c = frame.at(column, row);
+      const render::PixelColor& c = frame.at(column, row);
       tile.colors.insert(tile.colors.end(), {c.r, c.g, c.b, c.t});
     }
   const std::lock_guard lock(mutex_);

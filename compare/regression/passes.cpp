@@ -51,7 +51,7 @@ std::filesystem::path keep_exactly(const Picture& picture, std::filesystem::path
   }
   path += ".exr";
   const Values values(picture);
-  std::vector<Color> row(static_cast<std::size_t>(picture.width));
+  std::vector<render::PixelColor> row(static_cast<std::size_t>(picture.width));
   image::OutputOptions options;
   options.format = image::Format::exr;
   image::write({picture.width, picture.height,

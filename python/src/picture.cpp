@@ -53,10 +53,10 @@ const render::Framebuffer& frame_of(const PicturePtr& picture) {
 }
 
 py::object radiance(const PicturePtr& picture) {
-  return array_of(plane_of(picture, &frame_of(picture).pixels[0].r, 'f', sizeof(float), 3, sizeof(Color)));
+  return array_of(plane_of(picture, &frame_of(picture).pixels[0].r, 'f', sizeof(float), 3, sizeof(render::PixelColor)));
 }
 py::object transmit(const PicturePtr& picture) {
-  return array_of(plane_of(picture, &frame_of(picture).pixels[0].t, 'f', sizeof(float), 1, sizeof(Color)));
+  return array_of(plane_of(picture, &frame_of(picture).pixels[0].t, 'f', sizeof(float), 1, sizeof(render::PixelColor)));
 }
 
 template <class T>

@@ -12,10 +12,10 @@ namespace verisim::render {
 // Linear working-space radiance, premultiplied; t is the transmit of the pixel (alpha = 1 - t).
 struct Framebuffer {
   int width = 0, height = 0;
-  Pixels pixels;                   // row 0 is the top; f is unused
+  Pixels pixels;                   // row 0 is the top
   std::vector<std::uint8_t> done;  // per pixel: rendered in this run
-  Color& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
-  const Color& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  PixelColor& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  const PixelColor& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
 }  // namespace verisim::render

@@ -10,7 +10,7 @@
 namespace verisim::render {
 namespace {
 
-constexpr std::size_t kKept = std::size_t{2} << 20;  // pixels: 40 MB
+constexpr std::size_t kKept = std::size_t{2} << 20;  // pixels: 32 MB
 
 bool may_be_written(std::size_t bytes) {
   rlimit limit{};
@@ -19,17 +19,17 @@ bool may_be_written(std::size_t bytes) {
 
 }  // namespace
 
-void Pixels::Unmap::operator()(Color* colors) const { ::munmap(colors, count * sizeof(Color)); }
+void Pixels::Unmap::operator()(PixelColor* colors) const { ::munmap(colors, count * sizeof(PixelColor)); }
 
-void Pixels::assign(std::size_t count, const Color& color) {
+void Pixels::assign(std::size_t count, const PixelColor& color) {
   file_.reset();
   memory_.reserve(count);
-  fill_by_huge_pages(memory_.data(), count * sizeof(Color));
+  fill_by_huge_pages(memory_.data(), count * sizeof(PixelColor));
   memory_.assign(count, color);
 }
 
 bool Pixels::assign_in_file(std::size_t count, const std::filesystem::path& folder) {
-  const std::size_t bytes = count * sizeof(Color);
+  const std::size_t bytes = count * sizeof(PixelColor);
   if (count == 0 || !may_be_written(bytes)) return false;
   const int file = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (file < 0) return false;
@@ -40,7 +40,7 @@ bool Pixels::assign_in_file(std::size_t count, const std::filesystem::path& fold
   ::close(file);
   if (place == MAP_FAILED) return false;
   memory_ = {};
-  file_ = std::unique_ptr<Color[], Unmap>(static_cast<Color*>(place), Unmap{count});
+  file_ = std::unique_ptr<PixelColor[], Unmap>(static_cast<PixelColor*>(place), Unmap{count});
   return true;
 }
 
@@ -48,7 +48,7 @@ void Pixels::done_with(std::size_t count) const {
   if (!file_ || kept_.fetch_add(count) + count < kKept) return;
   kept_ = 0;
   // The pages of a shared mapping stay in the file; they are only no longer this process's.
-  ::madvise(file_.get(), size() * sizeof(Color), MADV_DONTNEED);
+  ::madvise(file_.get(), size() * sizeof(PixelColor), MADV_DONTNEED);
 }
 
 }  // namespace verisim::render

@@ -8,7 +8,7 @@
 namespace verisim::render {
 namespace {
 
-constexpr std::size_t kMany = std::size_t{3} << 20;  // 60 MB
+constexpr std::size_t kMany = std::size_t{4} << 20;  // 64 MB
 
 std::size_t megabytes_of_process() {
   std::ifstream statm("/proc/self/statm");

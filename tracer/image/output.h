@@ -38,7 +38,7 @@ struct OutputOptions {
 // than memory does. A row is good until the next one is asked for.
 struct ColorRows {
   int width = 0, height = 0;
-  std::function<const Color*(int y)> row;
+  std::function<const render::PixelColor*(int y)> row;
 };
 // The framebuffer must outlive them.
 ColorRows rows_of(const render::Framebuffer& framebuffer);

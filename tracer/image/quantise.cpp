@@ -145,7 +145,7 @@ bool uses_alpha(const OutputOptions& options, bool alpha) {
 }
 
 // The samples of one pixel before encoding; alpha, if any, is the last and not gamma encoded.
-int samples_of(const Color& pixel, const OutputOptions& options, bool alpha, float* out) {
+int samples_of(const render::PixelColor& pixel, const OutputOptions& options, bool alpha, float* out) {
   Rgb color = pixel.rgb();
   float a = 1.0f - pixel.t;
   if (uses_alpha(options, alpha)) to_straight_alpha(color, a);
@@ -196,7 +196,7 @@ struct Quantiser::State {
   // Pixels that other threads have written come from afar, and not every processor fetches them before it is asked to.
   static constexpr int kAhead = 128;
   template <class Codes>
-  void colors_alone(const Codes& codes, const Color* pixels, std::uint16_t* out) const {
+  void colors_alone(const Codes& codes, const render::PixelColor* pixels, std::uint16_t* out) const {
     using accel::Float4;
     alignas(16) float clamped[4];
     for (int x = 0; x < rows.width; ++x, out += 3) {
@@ -205,7 +205,7 @@ struct Quantiser::State {
       for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint16_t>(codes(clamped[c]));
     }
   }
-  void by_table(const Color* pixels, std::uint16_t* out) const {
+  void by_table(const render::PixelColor* pixels, std::uint16_t* out) const {
     float samples[4];
     for (int x = 0; x < rows.width; ++x) {
       const int n = samples_of(pixels[x], options, alpha, samples);
@@ -215,7 +215,7 @@ struct Quantiser::State {
       }
     }
   }
-  void one_by_one(const Color* pixels, int y, std::uint16_t* out) {
+  void one_by_one(const render::PixelColor* pixels, int y, std::uint16_t* out) {
     float samples[4];
     for (int x = 0; x < rows.width; ++x) {
       const int n = samples_of(pixels[x], options, alpha, samples);
@@ -272,7 +272,7 @@ Quantised Quantiser::shape() const {
 
 void Quantiser::row(int y, std::uint16_t* out) {
   State& s = *state_;
-  const Color* const pixels = s.rows.row(y);
+  const render::PixelColor* const pixels = s.rows.row(y);
   const bool alone =
       !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;  // most pictures
   if (alone && s.color_codes)

@@ -35,8 +35,8 @@ void render_paths(const Block& block, const CameraModel& camera, const path::Pat
         sum[0] += c.r, sum[1] += c.g, sum[2] += c.b, sum[3] += c.t;
       }
       const double n = options.path_samples;
-      out.at(x, y) = {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n), 0,
-                      static_cast<float>(sum[3] / n)};
+      out.at(x, y) = Color{static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n),
+                           static_cast<float>(sum[2] / n), 0, static_cast<float>(sum[3] / n)};
     }
   }
 }

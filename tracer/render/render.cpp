@@ -154,7 +154,7 @@ class Queue {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (frame_.width != width || frame_.height != height || frame_.pixels.size() != pixels) {
       frame_.width = width, frame_.height = height;
-      frame_.pixels.assign(pixels, Color());
+      frame_.pixels.assign(pixels, {});
     }
     frame_.done.assign(pixels, 0);
   }

@@ -63,9 +63,9 @@ void write_hdr(std::FILE* file, const ColorRows& rows, const OutputOptions& opti
   std::vector<std::array<std::uint8_t, 4>> row(static_cast<std::size_t>(width));
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < height; ++y) {
-    const Color* const pixels = rows.row(y);
+    const render::PixelColor* const pixels = rows.row(y);
     for (int x = 0; x < width; ++x) {
-      const Color& pixel = pixels[x];
+      const render::PixelColor& pixel = pixels[x];
       float color[3] = {to_linear.encode(pixel.r), to_linear.encode(pixel.g), to_linear.encode(pixel.b)};
       if (options.greyscale) color[0] = color[1] = color[2] = to_linear.encode(pixel.grey());
       if (diffuses(options.dither))

@@ -59,7 +59,7 @@ void write_layers(const render::Framebuffer& frame, const render::Layers& layers
   for (std::size_t i = 0; i < pixels; ++i) {
     std::size_t c = 0;
     if (beauty) {
-      const Color& pixel = frame.pixels[i];
+      const render::PixelColor& pixel = frame.pixels[i];
       for (const float v : {pixel.r, pixel.g, pixel.b}) out.at(i, c++) = to_linear.encode(v);
       if (options.alpha) out.at(i, c++) = 1.0f - pixel.t;
     }

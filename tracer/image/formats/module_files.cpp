@@ -35,7 +35,7 @@ void save_float(const ColorRows& rows, const std::filesystem::path& path, const 
   std::vector<float> values;
   values.reserve(static_cast<std::size_t>(rows.width) * static_cast<std::size_t>(rows.height) * 4);
   for (int y = 0; y < rows.height; ++y) {
-    for (const Color& c : std::span(rows.row(y), static_cast<std::size_t>(rows.width))) {
+    for (const render::PixelColor& c : std::span(rows.row(y), static_cast<std::size_t>(rows.width))) {
       if (options.greyscale) {
         values.push_back(to_linear.encode(c.grey()));
       } else {

@@ -88,8 +88,8 @@ TEST(Quantise, FineCodesAgreeWithTheFormula) {
   std::uniform_real_distribution<float> linear(-0.1f, 1.1f), exponent(-20, 0);
   for (int i = 0; i < kCount; ++i) {
     const float x = i % 2 ? linear(random) : std::exp2(exponent(random));
-    picture.at(i, 0) = {x, i == 4 ? std::nanf("") : 1 - x,
-                        i == 4 ? 1 : 0.003f + 0.0003f * x};  // with the knee of sRGB's curve
+    picture.at(i, 0) =
+        Color{x, i == 4 ? std::nanf("") : 1 - x, i == 4 ? 1 : 0.003f + 0.0003f * x};  // with the knee of sRGB's curve
   }
   for (const GammaCase& c : {GammaCase{"", scene::Gamma::power, 1, true, 1, {}, {}},
                              GammaCase{"", scene::Gamma::power, 1, false, 2.2, {}, {}},
@@ -177,7 +177,7 @@ TEST(Quantise, Dithering) {
 
 TEST(Files, PngRoundTripKeepsEverySample) {
   render::Framebuffer frame = filled(5, 3, {});
-  for (int i = 0; i < 15; ++i) frame.pixels[i] = {i / 15.0f, 1 - i / 15.0f, .3f, 0, i / 30.0f};
+  for (int i = 0; i < 15; ++i) frame.pixels[i] = Color{i / 15.0f, 1 - i / 15.0f, .3f, 0, i / 30.0f};
   for (int bits : {8, 16}) {
     for (bool alpha : {false, true}) {
       OutputOptions options;

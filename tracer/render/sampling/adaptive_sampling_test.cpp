@@ -197,7 +197,7 @@ struct Dot {
 };
 double light(const Framebuffer& frame) {
   double sum = 0;
-  for (const Color& c : frame.pixels) sum += (c.r - 0.1) / 0.8;
+  for (const PixelColor& c : frame.pixels) sum += (c.r - 0.1) / 0.8;
   return sum;
 }
 

@@ -25,7 +25,7 @@ struct Block {
 struct BlockPixels {
   // `left`, `top`: what to take away from them; 0 for a framebuffer of the picture.
   BlockPixels(Framebuffer& frame, int left = 0, int top = 0) : frame_(frame), left_(left), top_(top) {}
-  Color& at(int x, int y) const { return frame_.at(x - left_, y - top_); }
+  PixelColor& at(int x, int y) const { return frame_.at(x - left_, y - top_); }
 
  private:
   Framebuffer& frame_;
@@ -120,8 +120,11 @@ bool any_order(const Sampler& sample) {
 
 template <class Sampler>
 void render_plain(const Block& block, Sampler&& sample, const BlockPixels& out) {
-  for (int y = block.y; y < block.y + block.height; ++y)
-    sample_batch(sample, block.x, y, block.width, &out.at(block.x, y));
+  std::vector<Color> row(static_cast<std::size_t>(block.width));
+  for (int y = block.y; y < block.y + block.height; ++y) {
+    sample_batch(sample, block.x, y, block.width, row.data());
+    std::ranges::copy(row, &out.at(block.x, y));
+  }
 }
 
 // Method 1: pixels that differ from the one on the left or above are replaced by an average over a jittered grid.

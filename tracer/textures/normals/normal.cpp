@@ -81,30 +81,28 @@ Vec3 height_field(const CompiledNormal& c, const Vec3& p, const SurfacePoint& su
   return n;
 }
 
-Vec3 apply(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface);
-
 // The normals of a map's entries at a point, blended; in and out in the frame of its pattern.
 Vec3 mapped(const CompiledNormal& c, const MapPlace& place, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
-  const Vec3 upper = apply(*c.children[place.upper], p, n, surface);
+  const Vec3 upper = perturb_alone(*c.children[place.upper], p, n, surface);
   if (place.single()) return upper;
-  return (1 - place.t) * apply(*c.children[place.lower], p, n, surface) + place.t * upper;
+  return (1 - place.t) * perturb_alone(*c.children[place.lower], p, n, surface) + place.t * upper;
 }
 
 Vec3 averaged(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
   Vec3 sum(0, 0, 0);
   float total = 0;  // the bits of POV-Ray's sum of weights
   for (std::size_t i = 0; i < c.children.size(); ++i) {
-    sum += static_cast<double>(c.positions.position(i)) * apply(*c.children[i], p, n, surface);
+    sum += static_cast<double>(c.positions.position(i)) * perturb_alone(*c.children[i], p, n, surface);
     total += c.positions.position(i);
   }
   return sum * (1.0 / total);
 }
 
-// The whole process of one normal, children included. `surface.normal` is what patterns see: what the evaluation before
-// this one has left, not n (spec 05 3.4).
-Vec3 apply(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
+}  // namespace
+
+Vec3 perturb_alone(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
   using enum CompiledNormal::Method;
-  if (c.method == uv_mapping) return apply(*c.children[0], uv_point(surface), n, surface);
+  if (c.method == uv_mapping) return perturb_alone(*c.children[0], uv_point(surface), n, surface);
   if (c.method == unusable) {
     UnusableNormal::note();
     return n;
@@ -132,8 +130,6 @@ Vec3 apply(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& 
   return surface.normal;
 }
 
-}  // namespace
-
 // Hermite segments (spec 05 10.4).
 double height_of(const CompiledNormal& c, double v) {
   if (c.slopes.empty()) return v;
@@ -146,7 +142,7 @@ double height_of(const CompiledNormal& c, double v) {
 }
 
 Vec3 perturb(const CompiledNormal& normal, const Vec3& p, const Vec3& n, SurfacePoint& surface) {
-  const Vec3 perturbed = apply(normal, p, n, surface);
+  const Vec3 perturbed = perturb_alone(normal, p, n, surface);
   return normal.no_bump_scale ? perturbed / length(perturbed) : perturbed;
 }
 

@@ -25,6 +25,10 @@ struct CompiledNormal {
   std::vector<const CompiledNormal*> children;
 };
 
+// The whole process of one normal, children included. `surface.normal` is what patterns see: what the evaluation before
+// this one has left, not n (spec 05 3.4).
+Vec3 perturb_alone(const CompiledNormal& c, const Vec3& p, const Vec3& n, SurfacePoint& surface);
+
 // A slope of heights is measured at the corners of a small pyramid (spec 05 10.3): directions from the point, and what
 // heights are multiplied by.
 inline const Vec3 kHeightSamples[4] = {{0.942809041, -0.333333333, 0},

@@ -87,40 +87,49 @@ HWY_INLINE PartMask rounds_surely(const Part& hi, const Part& lo, const Part& er
 
 constexpr double kRound = 0x1.8p52;  // what is added to it and taken away again is rounded to an integer
 
-// sin (quarter 0) or cos (quarter 1); the lanes that are not sure.
-template <int quarter>
-HWY_INLINE unsigned sine(const Part& given, Part& sines) {
+// What sine and cosine of an angle x have in common: x - n pi/16 as r + rl, sin r - r and cos r - 1.
+struct Angle {
+  Part x, r, rl, sine_part, cosine_part;
+  PartInts turn;  // n, in the lowest bits
+  PartMask known;
+};
+HWY_INLINE Angle reduced(const Part& given) {
   // pi/16 in parts: products of the first two with integers below 2^20 are exact.
   constexpr double kPart1 = 0x1.921fb544p-3, kPart2 = 0x1.0b4611a6p-37, kPart3 = 0x1.3198a2e037073p-72;
   const PartMask small = abs(given) < 0x1p17;
   const Part x = select(small, given, Part(0.0));
   const Part shifted = x * 0x1.45f306dc9c883p2 + kRound, n = shifted - kRound;
-  const PartInts turn = bits_of(shifted) + PartInts(8 * quarter);
-  // x - n pi/16 = r + rl; the first difference is exact.
+  // The first difference is exact.
   const Two first = any_sum_of(x - n * kPart1, -(n * kPart2));
-  const Two reduced = sum_of(first.hi, first.lo - n * kPart3);
-  const Part r = reduced.hi, rl = reduced.lo, z = r * r, z2 = z * z;
+  const Two rest = sum_of(first.hi, first.lo - n * kPart3);
+  const Part r = rest.hi, z = r * r, z2 = z * z;
   const PartMask cancelled = (n != 0.0) & (abs(r) < 0x1p-20);
-  // s cos r + c sin r = s + (c r + ...), s and c from the table.
-  const Part s = entry(functions::kSineOf16ths, turn), s_lo = entry(functions::kSineOf16thsLow, turn);
-  const PartMask opposite = (turn & PartInts(8)) != PartInts(0);
-  const Part c = with_sign(entry(functions::kSineOf16ths, turn + PartInts(8)), opposite),
-             c_lo = with_sign(entry(functions::kSineOf16thsLow, turn + PartInts(8)), opposite);
   const Part sine_high = multiply_add(Part(-1 / 39916800.0), z, Part(1 / 362880.0)),
              sine_middle = multiply_add(Part(-1 / 5040.0), z, Part(1 / 120.0));
   const Part sine_part = multiply_add(multiply_add(sine_high, z2, sine_middle), z, Part(-1 / 6.0)) * (r * z);
   const Part cosine_high = multiply_add(Part(-1 / 3628800.0), z, Part(1 / 40320.0)),
              cosine_middle = multiply_add(Part(-1 / 720.0), z, Part(1 / 24.0));
   const Part cosine_part = multiply_add(multiply_add(cosine_high, z2, cosine_middle), z, Part(-1 / 2.0)) * z;
-  const Two linear = product_of(c, r), sum = sum_of(s, linear.hi);
-  const Part small_parts = multiply_add(c, rl, multiply_add(c_lo, r, s_lo));
+  return {x, r, rest.lo, sine_part, cosine_part, bits_of(shifted), small & ~cancelled};
+}
+// sin (quarter 0) or cos (quarter 1); the lanes that are not sure.
+template <int quarter>
+HWY_INLINE unsigned sine(const Angle& angle, Part& sines) {
+  const PartInts turn = angle.turn + PartInts(8 * quarter);
+  // s cos r + c sin r = s + (c r + ...), s and c from the table.
+  const Part s = entry(functions::kSineOf16ths, turn), s_lo = entry(functions::kSineOf16thsLow, turn);
+  const PartMask opposite = (turn & PartInts(8)) != PartInts(0);
+  const Part c = with_sign(entry(functions::kSineOf16ths, turn + PartInts(8)), opposite),
+             c_lo = with_sign(entry(functions::kSineOf16thsLow, turn + PartInts(8)), opposite);
+  const Two linear = product_of(c, angle.r), sum = sum_of(s, linear.hi);
+  const Part small_parts = multiply_add(c, angle.rl, multiply_add(c_lo, angle.r, s_lo));
   Part result;
   const PartMask sure = rounds_surely(
-      sum.hi, sum.lo + (linear.lo + multiply_add(c, sine_part, multiply_add(s, cosine_part, small_parts))), kSineError,
-      result);
+      sum.hi, sum.lo + (linear.lo + multiply_add(c, angle.sine_part, multiply_add(s, angle.cosine_part, small_parts))),
+      kSineError, result);
   const Part turned = with_sign(result, (turn & PartInts(16)) != PartInts(0));
-  sines = quarter == 0 ? select(x == 0.0, x, turned) : turned;  // the sign of zero
-  return bits(~(small & sure & ~cancelled));
+  sines = quarter == 0 ? select(angle.x == 0.0, angle.x, turned) : turned;  // the sign of zero
+  return bits(~(sure & angle.known));
 }
 
 // Nearly: within a unit in the last place is good enough.

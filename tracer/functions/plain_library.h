@@ -21,13 +21,17 @@ double plain_library(double a, [[maybe_unused]] double b) {
   if constexpr (F == cosh) return std::cosh(a);
 }
 
+template <class Value>
+struct SineAndCosine {
+  Value sine, cosine;
+};
+
 struct PlainLibrary {
   using Value = double;
 
   PlainLibrary among(bool) const { return *this; }
 
-  double sin(double a) const { return std::sin(a); }
-  double cos(double a) const { return std::cos(a); }
+  SineAndCosine<double> sine_and_cosine(double a) const { return {std::sin(a), std::cos(a)}; }
   double atan(double a) const { return std::atan(a); }
   double atan2(double y, double x) const { return std::atan2(y, x); }
   double log(double a) const { return std::log(a); }

@@ -45,7 +45,7 @@ HWY_INLINE unsigned lanes_of(unsigned told, int vector) { return (told & ((1u <<
 
 // Of a's lanes, and b's; only those of the bits `asked` are of interest.
 template <LibraryFunction F, int N>
-PacketOf<N> of_library(const PacketOf<N>& a, const PacketOf<N>& b, unsigned asked) {
+HWY_INLINE PacketOf<N> of_library(const PacketOf<N>& a, const PacketOf<N>& b, unsigned asked) {
   PacketOf<N> results = a;
 #if HWY_NATIVE_FMA
   using enum LibraryFunction;
@@ -71,7 +71,7 @@ PacketOf<N> of_library(const PacketOf<N>& a, const PacketOf<N>& b, unsigned aske
   return results;
 }
 template <int N>
-SineAndCosine<PacketOf<N>> sine_and_cosine_of_library(const PacketOf<N>& a, unsigned asked) {
+HWY_INLINE SineAndCosine<PacketOf<N>> sine_and_cosine_of_library(const PacketOf<N>& a, unsigned asked) {
   SineAndCosine<PacketOf<N>> results{a, a};
   unsigned unsure_sines = asked, unsure_cosines = asked;
 #if HWY_NATIVE_FMA
@@ -90,7 +90,7 @@ SineAndCosine<PacketOf<N>> sine_and_cosine_of_library(const PacketOf<N>& a, unsi
   return results;
 }
 
-// Called as PlainLibrary is.
+// Called as PlainLibrary is. The calls are not inlined: each is as long as many formulas.
 template <int N>
 struct LibraryLanes {
   using Value = PacketOf<N>;
@@ -99,17 +99,17 @@ struct LibraryLanes {
   LibraryLanes among(const MaskOf<N>& lanes) const { return {asked & bits(lanes)}; }
 
 #define VERISIM_CALL(name) \
-  HWY_INLINE Value name(const Value& a) const { return of_library<LibraryFunction::name, N>(a, a, asked); }
+  HWY_NOINLINE Value name(const Value& a) const { return of_library<LibraryFunction::name, N>(a, a, asked); }
   VERISIM_CALL(atan)
   VERISIM_CALL(log)
   VERISIM_CALL(exp)
   VERISIM_CALL(sinh)
   VERISIM_CALL(cosh)
 #undef VERISIM_CALL
-  HWY_INLINE SineAndCosine<Value> sine_and_cosine(const Value& a) const {
+  HWY_NOINLINE SineAndCosine<Value> sine_and_cosine(const Value& a) const {
     return sine_and_cosine_of_library<N>(a, asked);
   }
-  HWY_INLINE Value atan2(const Value& y, const Value& x) const {
+  HWY_NOINLINE Value atan2(const Value& y, const Value& x) const {
     return of_library<LibraryFunction::atan2, N>(y, x, asked);
   }
 };

@@ -195,6 +195,10 @@ HWY_INLINE unsigned halvings_of(const Field& f, const Vec3& from, const Vec3& d,
   return (~bits(out) & 0x7f) | (~bits(out_last) & kAll) << 7;
 }
 
+HWY_INLINE Packet logarithms(const Packet& v, unsigned asked) {
+  return functions::HWY_NAMESPACE::of_library<functions::LibraryFunction::log, kLanes>(v, v, asked);
+}
+
 struct Marched {
   Mask inside;
   Packet estimate;
@@ -256,7 +260,7 @@ HWY_INLINE Marched march_of(const Field& f, const PacketPoint& place, const Pack
     const Packet root = power * sqrt(q / product2);
     const Mask far = estimated & out & (root * (q - 1.0) > f.precision);
     if (const unsigned lanes = bits(far); lanes != 0)
-      result.estimate = select(far, root * functions::HWY_NAMESPACE::LibraryLanes<kLanes>{lanes}.log(q), smallest);
+      result.estimate = select(far, root * logarithms(q, lanes), smallest);
   } else {
     const Mask near = out & slope_tells(slope, q, f.precision);
     result.estimate = select(near, q / (-2.0 * slope), smallest);
@@ -350,6 +354,13 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
   return bits(found);
 }
 
+// So that what some kinds keep in memory does not make others' frames larger.
+template <Kind K>
+HWY_NOINLINE unsigned cross_apart(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
+                                  double* depths, Points& points, NormalsOfSearch* normals) {
+  return cross<K>(f, rays, interval, active_mask, depths, points, normals);
+}
+
 unsigned halvings(const Field& f, const Vec3& from, const Vec3& direction, double width) {
   return with_kind(f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA {
     if constexpr (is_power(K)) return halvings_of<K>(f, from, direction, width);
@@ -363,7 +374,7 @@ unsigned march_packet(const Field& f, const Points& points, const Vec3& directio
 unsigned first_intersections(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
                              double* depth, Points& points, NormalsOfSearch* normals) {
   return with_kind(f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA {
-    return cross<K>(f, rays, interval, active_mask, depth, points, normals);
+    return cross_apart<K>(f, rays, interval, active_mask, depth, points, normals);
   });
 }
 

@@ -91,8 +91,8 @@ alignas(64) inline constexpr double kPowersOf2Low[16] = {
     -0x1.bdd3413b26456p-54, -0x1.41577ee04992fp-55, 0x1.6e9f156864b27p-54, 0x1.c7c46b071f2bep-56,
     0x1.7a1cd345dcc81p-54, 0x1.11065895048ddp-55, 0x1.2ed02d75b3707p-55, -0x1.e9c23179c2893p-54};
 
-// Arguments from 0 to 22 for which sinh and cosh differ between libraries that fuse other products in e^x - 1, or sum its
-// polynomial in another order: each of 23 such ways gives other results for nine of them or more.
+// Arguments from 0 to 22 for which sinh and cosh differ between libraries that fuse other products in e^x - 1, or sum
+// its polynomial in another order: each of 23 such ways gives other results for nine of them or more. Some stand twice.
 inline constexpr int kTellingArguments = 48;
 alignas(64) inline constexpr double kTelling[kTellingArguments] = {
     0x1.886781b915fbep-2, 0x1.8b9dfc7096a35p-3, 0x1.f93de42058228p-1, 0x1.37c472827491dp-2, 0x1.c485fb929800cp+0,

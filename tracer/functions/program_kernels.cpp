@@ -55,7 +55,7 @@ HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_
       else if constexpr (C == Code::pow)
         unsure = power(first, second, result);
       else
-        unsure = sine<C == Code::cos>(first, result);
+        unsure = sine<C == Code::cos>(reduced(first), result);
       store(to + n, result);
       for (unsure &= static_cast<unsigned>(active >> n); unsure != 0; unsure &= unsure - 1) {
         const int k = std::countr_zero(unsure);

@@ -20,7 +20,7 @@ void sines_and_cosines(const double* angles, int count, double* sines, double* c
 #if HWY_NATIVE_FMA
   for (; done + kPart <= count; done += kPart) {
     Part result;
-    const Part angle = Part::load(angles + done);
+    const Angle angle = reduced(Part::load(angles + done));
     unsigned unsure = sine<0>(angle, result);
     store(sines + done, result);
     for (; unsure != 0; unsure &= unsure - 1) {

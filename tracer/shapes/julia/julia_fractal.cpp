@@ -34,7 +34,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
           const double distance = depth / r.scale;
           // Too near to be seen: by rays of subsurface light neither, which see what is nearer of other shapes.
           if (distance < kNearest) return !in_csg_ && !sink.clipped(in_world);
-          const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, point) : KeptNormal{};
+          const KeptNormal kept = is_power(field_.kind) ? KeptNormal{} : keep_normal(orbit, point);
           const double v = kept.axis != 0 ? kept.v : keep_local(point, in_world);
           const bool taken = sink.add(
               distance, [&] { return in_world; }, kept.axis, kept.u, v);
@@ -54,11 +54,13 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     double t[julia::kLanes];
     julia::Points points;
-    const unsigned crossed = batch_intersections(rays, t_max, t, points);
+    julia::NormalsOfSearch normals;
+    const unsigned crossed = batch_intersections(rays, t_max, t, points, is_power(field_.kind) ? nullptr : &normals);
     unsigned found = within(t, t_min, t_max, crossed);
     each_lane(found, [&](int k) {
       const Vec3 in_world = world(points[k]);
-      hits[k] = {t[k], in_world, this, 0, 0, keep_local(points[k], in_world)};
+      const KeptNormal kept = normals.lanes >> k & 1 ? KeptNormal(world_normal(normals.normals[k])) : KeptNormal{};
+      hits[k] = {t[k], in_world, this, kept.axis, kept.u, kept.axis != 0 ? kept.v : keep_local(points[k], in_world)};
     });
     each_lane(march_on(t, t_min, crossed),
               [&](int k) { found |= intersect(rays.at(k), kind, t_min, t_max[k], hits[k]) ? 1u << k : 0; });
@@ -69,7 +71,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     if (!in_batches_ || std::popcount(rays.active) < kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     double t[julia::kLanes];
     julia::Points points;
-    const unsigned crossed = batch_intersections(rays, t_max, t, points);
+    const unsigned crossed = batch_intersections(rays, t_max, t, points, nullptr);
     unsigned found = within(t, t_min, t_max, crossed);
     each_lane(march_on(t, t_min, crossed),
               [&](int k) { found |= occludes(rays.at(k), t_min, t_max[k]) ? 1u << k : 0; });
@@ -159,13 +161,15 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
   // World distances of the first intersections of rays; the lanes that have one, unless it lies behind t_max.
-  unsigned batch_intersections(const RayPacket& rays, const double* t_max, double* t, julia::Points& points) const {
+  unsigned batch_intersections(const RayPacket& rays, const double* t_max, double* t, julia::Points& points,
+                               julia::NormalsOfSearch* normals) const {
     LocalPacket local_rays;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
     julia::RaysInGrid within;
-    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.active, t_max, within);
+    const unsigned entered =
+        julia::kernels().enter(map_ ? &map_->grid() : nullptr, radius_, local_rays, rays.active, t_max, within);
     const unsigned crossed =
-        julia::kernels().first_intersections(field_, within.rays, within.interval, entered, t, points);
+        julia::kernels().first_intersections(field_, within.rays, within.interval, entered, t, points, normals);
     each_lane(crossed, [&](int k) { t[k] /= local_rays.scale[k]; });
     return crossed;
   }
@@ -190,11 +194,12 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
         iteration_(f),
         radius_(julia::bounding_radius(f)),
         map_(std::move(map)) {
-    in_batches_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
+    in_batches_ = (is_power(field_.kind) || field_.iterations <= julia::Kernels::kMostKept) &&
+                  description.clipped_by.empty() && description.bounded_by.empty();
   }
   static MapPtr map_of(const std::shared_ptr<const scene::JuliaFractal>& fractal) {
     const julia::Field field = julia::field_of(*fractal);
-    if (field.kind == Kind::other) return nullptr;
+    if (!is_power(field.kind)) return nullptr;
     return shared_payload<julia::Map>(fractal, [&] { return std::make_shared<julia::Map>(field); });
   }
 

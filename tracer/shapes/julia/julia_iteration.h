@@ -55,6 +55,7 @@ inline double bounding_radius(const scene::JuliaFractal& f) {
 
 inline Field field_of(const scene::JuliaFractal& f) {
   Field field;
+  field.function = f.function, field.exponent = f.exponent;
   field.parameter = {f.parameter[0], f.parameter[1], f.parameter[2], f.parameter[3]};
   field.slice = {f.slice[0], f.slice[1], f.slice[2]}, field.slice_w = f.slice[3];
   field.slice_distance = f.slice_distance;
@@ -64,49 +65,38 @@ inline Field field_of(const scene::JuliaFractal& f) {
   field.escape = f.hypercomplex ? 16 : radius * radius + 1e-7;
   const scene::JuliaFunction g = f.function;
   if (f.hypercomplex)
-    field.kind = g == scene::JuliaFunction::sqr    ? Kind::hypercomplex_square
-                 : g == scene::JuliaFunction::cube ? Kind::hypercomplex_cube
-                                                   : Kind::other;
+    field.kind = g == scene::JuliaFunction::sqr          ? Kind::hypercomplex_square
+                 : g == scene::JuliaFunction::cube       ? Kind::hypercomplex_cube
+                 : g == scene::JuliaFunction::reciprocal ? Kind::reciprocal
+                                                         : Kind::function;
   else
     field.kind = g == scene::JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
   return field;
 }
 
 class Iteration {
-  using JuliaFunction = scene::JuliaFunction;
-
-  // Calls work with the kind of this fractal as a constant.
-  template <class F>
-  auto with_kind(F&& work) const {
-    if (field_.kind == Kind::other) return work.template operator()<Kind::other>();
-    return with_kind_of_power(field_.kind, work);
-  }
-
  public:
-  explicit Iteration(const scene::JuliaFractal& f) : f_(f), field_(field_of(f)) {
-    plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube ||
-             f.function == JuliaFunction::reciprocal;
-  }
+  explicit Iteration(const scene::JuliaFractal& f) : field_(field_of(f)) {}
   const Field& field() const { return field_; }
 
   // The point in four dimensions.
-  Number start(const Vec3& p) const { return start(p, false); }
-  // The same as the plain inside test takes it: POV-Ray replaces z by y there before w is computed for most functions.
-  Number start_of_inside(const Vec3& p) const { return start(p, !plain_); }
+  Number start(const Vec3& p) const { return first_iterate<Number>(field_, p); }
+  // The same as the plain inside test takes it: POV-Ray replaces z by y there before w is computed for functions.
+  Number start_of_inside(const Vec3& p) const { return start(field_.kind == Kind::function ? Vec3(p.x, p.y, p.y) : p); }
   template <Kind K>
   Number next(const Number& h) const {
     return plus(image_of<K>(h), field_.parameter);
   }
   // Fills the orbit but for the last iterate; the step i >= 1 at which it escaped, or 0.
   int iterate(Orbit& orbit, const Number& h0) const {
-    return with_kind([&]<Kind K>() {
+    return with_kind(field_.kind, [&]<Kind K>() {
       Number h{h0.x, h0.y, h0.z, h0.w};
       orbit.set(0, h);
       for (int i = 1;; ++i) {
         if (norm2<K>(h) > field_.escape) return i;
         if (i == field_.iterations) break;
-        if constexpr (K == Kind::other) {
-          const Number image = apply(f_.function, f_.exponent, h);
+        if constexpr (K == Kind::function) {
+          const Number image = image_of<K>(h);
           orbit.set_image(i - 1, image);
           h = plus(image, field_.parameter);
         } else {
@@ -119,13 +109,13 @@ class Iteration {
     });
   }
   void complete(Orbit& orbit) const {
-    with_kind([&]<Kind K>() {
+    with_kind(field_.kind, [&]<Kind K>() {
       orbit.complete(field_.iterations, [&](const Number& h) { return next<K>(h); });
       return 0;
     });
   }
   bool inside(const Vec3& p) const {
-    return with_kind([&]<Kind K>() {
+    return with_kind(field_.kind, [&]<Kind K>() {
       Number h = start_of_inside(p);
       for (int i = 1;; ++i) {
         if (norm2<K>(h) > field_.escape) return false;
@@ -137,27 +127,29 @@ class Iteration {
 
   // Out of the set, of any length.
   Vec3 normal(const Orbit& orbit, int last) const {
-    return f_.hypercomplex ? hypercomplex_normal(orbit, last) : quaternion_normal(orbit, last);
+    return is_quaternion(field_.kind) ? quaternion_normal(orbit, last) : hypercomplex_normal(orbit, last);
   }
   Vec3 hypercomplex_normal(const Orbit& orbit, int last) const {
     Number m = orbit[0], n = orbit[last];
-    if (field_.kind != Kind::other) {
-      for (int j = 1; j < last; ++j) m = product(orbit[j], m);
-    } else {
-      m = other_product(orbit, last);
-    }
+    with_kind(field_.kind, [&]<Kind K>() {
+      for (int j = 1; j < last; ++j) {
+        if constexpr (is_power(K)) {
+          m = product(orbit[j], m);
+        } else {
+          const Number* const known = orbit.image(j);
+          m = with_iterate<K>(m, orbit[j], known ? *known : image_of<K>(orbit[j]));
+        }
+      }
+    });
     if (field_.kind == Kind::hypercomplex_square) n = scaled(n, std::ldexp(1.0, std::max(last, 1)));
     return hypercomplex_gradient<Vec3>(m, n);
   }
 
  private:
-  Number start(const Vec3& p, bool quirk) const {
-    return first_iterate<Number>(field_, Vec3(p.x, p.y, quirk ? p.y : p.z));
-  }
   template <Kind K>
   Number image_of(const Number& h) const {
-    if constexpr (K == Kind::other)
-      return apply(f_.function, f_.exponent, h);
+    if constexpr (K == Kind::function)
+      return image_by_function(field_, h);
     else
       return image<K>(h);
   }
@@ -165,7 +157,7 @@ class Iteration {
   // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.
   Vec3 quaternion_normal(const Orbit& orbit, int last) const {
     Number dx{1, 0, 0, 0}, dy{0, 1, 0, 0}, dz{0, 0, 1, 0};
-    const bool cube = f_.function == JuliaFunction::cube;
+    const bool cube = field_.kind == Kind::quaternion_cube;
     for (int i = 0; i < last; ++i) {
       const Number& h = orbit[i];
       for (Number* d : {&dx, &dy, &dz}) {
@@ -186,27 +178,7 @@ class Iteration {
     return {along(dx), along(dy), along(dz)};
   }
 
-  Number other_product(const Orbit& orbit, int last) const {
-    Number m = orbit[0];
-    for (int j = 1; j < last; ++j) {
-      switch (f_.function) {
-        case JuliaFunction::reciprocal: {
-          const Number r2 = image<Kind::hypercomplex_cube>(reciprocal(orbit[j]));
-          m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
-          break;
-        }
-        default: {
-          const Number* const image = orbit.image(j);
-          m = product(image ? *image : apply(f_.function, f_.exponent, orbit[j]), m);
-        }
-      }
-    }
-    return m;
-  }
-
-  scene::JuliaFractal f_;
   Field field_;
-  bool plain_;  // without the quirk of start_of_inside
 };
 
 }  // namespace verisim::shapes::julia

@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "tracer/shapes/julia/julia_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
-#include "tracer/functions/library-inl.h"
+#include "tracer/functions/library_lanes-inl.h"
 #include "tracer/simd/kernel_table.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -19,6 +19,7 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 #include "tracer/shapes/julia/julia_formulas.inc"
+#include "tracer/shapes/julia/julia_functions.inc"
 
 // ---- how rays of a packet meet the cells of a grid
 // Of numbers from 0 to 2^51.
@@ -90,7 +91,7 @@ HWY_INLINE Packet last_cell(const Grid& grid, const LocalPacket& rays, Packet be
 }
 
 // JuliaFractal::enters for eight rays.
-unsigned enter(const Grid& grid, double radius, const LocalPacket& l, unsigned active_mask, const double* t_max,
+unsigned enter(const Grid* grid, double radius, const LocalPacket& l, unsigned active_mask, const double* t_max,
                RaysInGrid& within) {
   const Packet ox = load(l.ox), oy = load(l.oy), oz = load(l.oz), dx = load(l.dx), dy = load(l.dy), dz = load(l.dz);
   const Packet closest = -(ox * dx + oy * dy + oz * dz), distance2 = ox * ox + oy * oy + oz * oz,
@@ -100,7 +101,7 @@ unsigned enter(const Grid& grid, double radius, const LocalPacket& l, unsigned a
   const Packet half = sqrt(select(meets, half2, Packet(0.0))), end = closest + half,
                begin = max(closest - half, Packet(kFine));
   const Mask ahead = meets & (end >= kFine);
-  const Packet last = last_cell(grid, l, begin, end, ahead);
+  const Packet last = grid ? last_cell(*grid, l, begin, end, ahead) : end;
   for (int axis = 0; axis < 3; ++axis) {
     store(within.rays.origin[axis], axis == 0 ? ox : axis == 1 ? oy : oz);
     store(within.rays.direction[axis], axis == 0 ? dx : axis == 1 ? dy : dz);
@@ -129,10 +130,45 @@ HWY_INLINE PacketPoint select_point(const Mask& where, const PacketPoint& a, con
   return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
 }
 
+// Of Kind::function, of the lanes `asked`: both complex numbers of each lane side by side.
+HWY_NOINLINE Numbers image_by_function(const Field& f, const Numbers& h, unsigned asked) {
+  constexpr int kVectors = Packet::kVectors;
+  using Both = PacketOf<2 * kLanes>;
+  const auto join = [](const Packet& a, const Packet& b) VERISIM_INLINE_LAMBDA {
+    Both r;
+    VERISIM_EACH_VECTOR r.v[i] = a.v[i], r.v[kVectors + i] = b.v[i];
+    return r;
+  };
+  const auto part = [](const Both& a, int begin) VERISIM_INLINE_LAMBDA {
+    Packet r;
+    VERISIM_EACH_VECTOR r.v[i] = a.v[begin + i];
+    return r;
+  };
+  const Complex<Packet> p = first_of(h), q = second_of(h);
+  const ComplexFunctions<functions::HWY_NAMESPACE::LibraryLanes<2 * kLanes>> complex{{asked | asked << kLanes}};
+  const Complex<Both> image = complex.image(f, {join(p.re, q.re), join(p.im, q.im)});
+  return hypercomplex_of<Numbers>(Complex<Packet>{part(image.re, 0), part(image.im, 0)},
+                                  Complex<Packet>{part(image.re, kVectors), part(image.im, kVectors)});
+}
+// Only the lanes `asked` are of interest.
+template <Kind K>
+HWY_INLINE Numbers image_of(const Field& f, const Numbers& h, const Mask& asked) {
+  if constexpr (K == Kind::function)
+    return image_by_function(f, h, bits(asked));
+  else
+    return image<K>(h);
+}
 template <Kind K>
 HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
   return plus(image<K>(h), c);
 }
+HWY_INLINE Numbers select_numbers(const Mask& where, const Numbers& a, const Numbers& b) {
+  return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z), select(where, a.w, b.w)};
+}
+
+// What the searches of a packet leave: of each lane its latest iterates, and the last one before hN of the latest point
+// that stayed.
+using Left = Numbers[Kernels::kMostKept + 1];
 
 // The points of the first three halvings, one of them twice, and those of the fourth: two orbits that wait for nothing
 // of each other. A lane is moved by the halves whose farther part it lies in, one after another, and by half of what is
@@ -159,25 +195,8 @@ HWY_INLINE unsigned halvings_of(const Field& f, const Vec3& from, const Vec3& d,
   return (~bits(out) & 0x7f) | (~bits(out_last) & kAll) << 7;
 }
 
-// The library's, of the lanes that are asked for.
-HWY_INLINE Packet logarithms(const Packet& v, unsigned active_mask) {
-  alignas(64) double of[kLanes], values[kLanes] = {};
-  store(of, v);
-#if HWY_NATIVE_FMA
-  namespace library = functions::HWY_NAMESPACE;
-  unsigned unsure = 0;
-  for (int n = 0; n < kLanes; n += library::kPart) {
-    library::Part part;
-    unsure |= library::logarithm(library::Part::load(of + n), part) << n;
-    store(values + n, part);
-  }
-  active_mask &= unsure;
-#endif
-  for (; active_mask != 0; active_mask &= active_mask - 1) {
-    const int k = std::countr_zero(active_mask);
-    values[k] = std::log(of[k]);
-  }
-  return load(values);
+HWY_INLINE Packet logarithms(const Packet& v, unsigned asked) {
+  return functions::HWY_NAMESPACE::of_library<functions::LibraryFunction::log, kLanes>(v, v, asked);
 }
 
 struct Marched {
@@ -188,7 +207,7 @@ struct Marched {
 // At one point of each ray that is asked for; estimates only where they are asked for.
 template <Kind K>
 HWY_INLINE Marched march_of(const Field& f, const PacketPoint& place, const PacketPoint& direction,
-                            const Mask& active_mask, const Mask& estimated) {
+                            const Mask& active_mask, const Mask& estimated, Numbers* left = nullptr) {
   constexpr bool kQuaternion = is_quaternion(K);
   Numbers h = first_iterate<Numbers>(f, place);
   Mask out = ~active_mask;
@@ -198,7 +217,9 @@ HWY_INLINE Marched march_of(const Field& f, const PacketPoint& place, const Pack
   Packet q(0.0), product2 = one, power = one, slope(0.0);
   double running_power = 1, scale = 2;
   Numbers m = h;
-  for (int i = 1; i <= f.iterations; ++i) {
+  for (int i = 1;; ++i) {
+    if constexpr (!is_power(K))
+      if (left) left[i - 1] = select_numbers(~out, h, left[i - 1]);
     const Packet n2 = norm2<K>(h);
     const Mask now = (n2 > f.escape) & ~out;
     if constexpr (kQuaternion) {
@@ -217,16 +238,21 @@ HWY_INLINE Marched march_of(const Field& f, const PacketPoint& place, const Pack
         const PacketPoint v = hypercomplex_gradient<PacketPoint>(m, n);
         slope = select(now, v.x * direction.x + v.y * direction.y + v.z * direction.z, slope);
       }
-      if (i > 1) {
-        m = product(h, m);
-        scale *= 2;
-      }
     }
     q = select(now, n2, q);
     out = out | now;
-    if (bits(out) == kAll) break;
-    h = next<K>(h, f.parameter);
+    if (bits(out) == kAll || i == f.iterations) break;
+    const Numbers image = image_of<K>(f, h, ~out);
+    if constexpr (!kQuaternion) {
+      if (i > 1) {
+        m = with_iterate<K>(m, h, image);
+        scale *= 2;
+      }
+    }
+    h = plus(image, f.parameter);
   }
+  if constexpr (!is_power(K))
+    if (left) left[f.iterations] = select_numbers(~out, h, left[f.iterations]);
   const Packet smallest = Packet(f.precision);
   Marched result{~out, smallest};
   if constexpr (kQuaternion) {
@@ -250,10 +276,32 @@ HWY_INLINE unsigned march_one(const Field& f, const Points& points, const Vec3& 
   return bits(at.inside);
 }
 
+// Where the plain inside test looks for a point: POV-Ray replaces z by y for functions.
+template <Kind K>
+HWY_INLINE PacketPoint place_of_inside(const PacketPoint& p) {
+  return {p.x, p.y, K == Kind::function ? p.y : p.z};
+}
+
+// JuliaFractal::keep_normal for the hits of a packet.
+template <Kind K>
+HWY_INLINE void keep_normals(const Field& f, const PacketPoint& place, const Mask& found, Numbers* left,
+                             NormalsOfSearch& kept) {
+  const PacketPoint nowhere{Packet(0.0), Packet(0.0), Packet(0.0)};
+  const Mask escaped =
+      found & ~march_of<K>(f, place_of_inside<K>(place), nowhere, found, Mask::of_bits(0), left).inside;
+  kept.lanes = bits(escaped);
+  if (kept.lanes == 0) return;
+  Numbers m = left[0];
+  for (int j = 1; j < f.iterations; ++j) m = with_iterate<K>(m, left[j], image_of<K>(f, left[j], escaped));
+  const Numbers& before_last = left[f.iterations];
+  const PacketPoint n = hypercomplex_gradient<PacketPoint>(m, plus(image_of<K>(f, before_last, escaped), f.parameter));
+  store(kept.normals.at[0], n.x), store(kept.normals.at[1], n.y), store(kept.normals.at[2], n.z);
+}
+
 // All rays evaluate one point at a time, whatever they are about: the first point, a step, or a halving.
 template <Kind K>
 HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
-                          double* depths, Points& points) {
+                          double* depths, Points& points, [[maybe_unused]] NormalsOfSearch* normals) {
   const PacketPoint origin = load_point(rays.origin), direction = load_point(rays.direction);
   const Packet end = load(interval.end), last = load(interval.last), limit = load(interval.limit);
   const Mask none = Mask::of_bits(0);
@@ -261,8 +309,12 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
   Packet at = load(interval.begin), base(0.0), width(0.0), depth(0.0);
   // Points are carried along, step by step: their bits are not those of the distances.
   PacketPoint place = onward(origin, at, direction), base_place = place, found_place = place;
+  [[maybe_unused]] std::conditional_t<is_power(K), int, Left> memory;
+  Numbers* left = nullptr;
+  if constexpr (!is_power(K)) left = normals ? memory : nullptr;
   while (bits(active) != 0) {
-    const Marched now = march_of<K>(f, place, direction, active, active & ~halving);
+    const PacketPoint asked = K == Kind::function ? select_point(halving, place_of_inside<K>(place), place) : place;
+    const Marched now = march_of<K>(f, asked, direction, active, active & ~halving, left);
     const Mask same = ~(now.inside ^ in);
     const Mask halved = active & halving, began = active & first, began_in = began & now.inside,
                entered = active & again, walked = active & ~(halving | first | again);
@@ -295,23 +347,35 @@ HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& inte
     const Mask useful = (base <= last) & (base <= limit) & (at <= end);
     active &= ~(done | (began_in & (at > end)) | (steps & ~useful));
   }
+  if constexpr (!is_power(K))
+    if (left && any(found)) keep_normals<K>(f, found_place, found, left, *normals);
   store(depths, depth);
   store(points.at[0], found_place.x), store(points.at[1], found_place.y), store(points.at[2], found_place.z);
   return bits(found);
 }
 
+// So that what some kinds keep in memory does not make others' frames larger.
+template <Kind K>
+HWY_NOINLINE unsigned cross_apart(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
+                                  double* depths, Points& points, NormalsOfSearch* normals) {
+  return cross<K>(f, rays, interval, active_mask, depths, points, normals);
+}
+
 unsigned halvings(const Field& f, const Vec3& from, const Vec3& direction, double width) {
-  return with_kind_of_power(f.kind,
-                            [&]<Kind K>() VERISIM_INLINE_LAMBDA { return halvings_of<K>(f, from, direction, width); });
+  return with_kind(f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA {
+    if constexpr (is_power(K)) return halvings_of<K>(f, from, direction, width);
+    return 0u;
+  });
 }
 unsigned march_packet(const Field& f, const Points& points, const Vec3& direction, double* estimate) {
-  return with_kind_of_power(
-      f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, points, direction, estimate); });
+  return with_kind(f.kind,
+                   [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, points, direction, estimate); });
 }
 unsigned first_intersections(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
-                             double* depth, Points& points) {
-  return with_kind_of_power(
-      f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth, points); });
+                             double* depth, Points& points, NormalsOfSearch* normals) {
+  return with_kind(f.kind, [&]<Kind K>() VERISIM_INLINE_LAMBDA {
+    return cross_apart<K>(f, rays, interval, active_mask, depth, points, normals);
+  });
 }
 
 constexpr Kernels kKernels{halvings, march_packet, enter, first_intersections};

@@ -9,7 +9,7 @@ namespace verisim::shapes::julia {
 
 class Map {
  public:
-  // Not for Kind::other.
+  // Of powers.
   explicit Map(const Field& field);
 
   // The last distance in begin .. end at which the ray is in a cell that may hold points of the set; negative if there

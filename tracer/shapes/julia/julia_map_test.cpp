@@ -30,7 +30,12 @@ bool survives(const Field& f, const Vec3& p) {
   Number h = first_iterate<Number>(f, p);
   for (int i = 1; i <= f.iterations; ++i) {
     if (norm2<Kind::quaternion_square>(h) > f.escape) return false;
-    h = plus(with_kind_of_power(f.kind, [&]<Kind K>() { return image<K>(h); }), f.parameter);
+    h = plus(with_kind(f.kind,
+                       [&]<Kind K>() {
+                         if constexpr (K != Kind::function) return image<K>(h);
+                         return Number{};
+                       }),
+             f.parameter);
   }
   return true;
 }

@@ -32,8 +32,14 @@ class March {
       uncounted += t - counted, t = counted;
       return found(hit.depth, hit.point);
     };
+    // What the march leaves in the orbit counts. Points ahead leave nothing there, but of a step with a crossing one
+    // end survives all iterations, and what was before both is forgotten.
+    bool left = true;  // whether the point at t has left its iterates
+    const auto leave = [&](const Vec3& point) {
+      if (!is_power(field_.kind)) iteration_.iterate(orbit, iteration_.start(point));
+    };
     while (t + uncounted <= last) {
-      if (estimate <= field_.precision && field_.kind != Kind::other) {
+      if (estimate <= field_.precision) {
         // Where the smallest step is due it mostly is so for many steps: look ahead.
         double ahead[kLanes], estimates[kLanes], at = t;
         Points points;
@@ -50,9 +56,12 @@ class March {
           t = ahead[k], p = points[k], estimate = estimates[k];
           const bool now = inside >> k & 1;
           if (now != in) {
+            if (!left) leave(base.point);
+            leave(p), left = true;
             if (crossed(base, field_.precision, now)) return;
             break;  // distances ahead are others now
           }
+          left = false;
           if (estimate > field_.precision) break;
         }
         continue;
@@ -61,8 +70,10 @@ class March {
       const Reached base{t, p};
       t += step, p += step * r.direction;
       if (!(t <= end)) return;
-      const bool now = march(orbit, p, r.direction, estimate);
-      if (now != in && crossed(base, step, now)) return;
+      const bool now = march(orbit, p, r.direction, estimate), base_left = std::exchange(left, true);
+      if (now == in) continue;
+      if (!base_left) leave(base.point), leave(p);
+      if (crossed(base, step, now)) return;
     }
   }
 
@@ -78,7 +89,7 @@ class March {
   Reached bisect(Orbit& orbit, const Reached& base, const Vec3& direction, double step, bool in) const {
     Reached low = base;
     double width = step;
-    if (field_.kind == Kind::other) {
+    if (!is_power(field_.kind)) {
       while (width > kFine) {
         width /= 2;
         const Reached middle = low.onward(width, direction);
@@ -108,7 +119,7 @@ class March {
     if (escaped == 0) return true;
     const Number& h = orbit[escaped - 1];
     const double q =
-        field_.kind == Kind::hypercomplex_square ? norm2<Kind::hypercomplex_square>(h) : norm2<Kind::other>(h);
+        field_.kind == Kind::hypercomplex_square ? norm2<Kind::hypercomplex_square>(h) : norm2<Kind::function>(h);
     const double slope = dot(iteration_.hypercomplex_normal(orbit, escaped - 1), direction);
     if (slope_tells(slope, q, field_.precision)) estimate = q / (-2 * slope);
     return false;

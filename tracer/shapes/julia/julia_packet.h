@@ -13,17 +13,6 @@ namespace verisim::shapes::julia {
 inline constexpr int kLanes = 8;
 inline constexpr double kFine = 1e-7;  // tolerance of depths
 
-// What the iteration needs to know of a fractal.
-struct Field {
-  Kind kind = Kind::quaternion_square;
-  Number parameter;
-  Vec3 slice;
-  double slice_w = 1, slice_distance = 0;
-  double escape = 4;        // |h|^2 beyond which a point is outside
-  double precision = 0.05;  // the smallest step
-  int iterations = 20;
-};
-
 // A ray a lane, in the fractal's space, directions of unit length.
 struct alignas(64) Rays {
   double origin[3][kLanes], direction[3][kLanes];
@@ -63,21 +52,31 @@ struct alignas(64) RaysInGrid {
   Interval interval;
 };
 
-// Not for Kind::other.
+// Normals at points from which the iteration escapes, of functions and reciprocals: they hang on what a search leaves
+// behind the escape. In the fractal's space and of any length, of the lanes whose bits are set.
+struct alignas(64) NormalsOfSearch {
+  unsigned lanes = 0;
+  Points normals;
+};
+
 struct Kernels {
   // What the next four halvings of a ray's way from a point may ask for, as a heap of 15 bits: whether the point in the
-  // middle survives all iterations; after bit n comes 2 n + 1 for the nearer half, 2 n + 2 for the farther one.
+  // middle survives all iterations; after bit n comes 2 n + 1 for the nearer half, 2 n + 2 for the farther one. Of
+  // powers.
   unsigned (*halvings)(const Field& field, const Vec3& from, const Vec3& direction, double width);
   // Bit k: points[k] survives all iterations; and how far a ray of that direction may go from each point (spec 04
   // section 8, step estimates): exact where above the precision, else anything not above it.
   unsigned (*march)(const Field& field, const Points& points, const Vec3& direction, double* estimate);
-  // The lanes of `active` that meet cells of the grid within the bounding sphere, each as far as t_max.
-  unsigned (*enter)(const Grid& grid, double radius, const LocalPacket& rays, unsigned active, const double* t_max,
+  // The lanes of `active` that meet cells of the grid within the bounding sphere, each as far as t_max; null: a grid
+  // that is full.
+  unsigned (*enter)(const Grid* grid, double radius, const LocalPacket& rays, unsigned active, const double* t_max,
                     RaysInGrid& entered);
   // Rays of a packet that march in step, each with the steps it takes alone: the lanes of `active` whose rays cross the
-  // surface, and the depths and points of their first intersections.
+  // surface, the depths and points of their first intersections, and the normals that the search keeps, unless null:
+  // these of at most kMostKept iterations.
+  static constexpr int kMostKept = 64;
   unsigned (*first_intersections)(const Field& field, const Rays& rays, const Interval& interval, unsigned active,
-                                  double* depth, Points& points);
+                                  double* depth, Points& points, NormalsOfSearch* normals);
 };
 
 // Those of the best instruction set of this machine.

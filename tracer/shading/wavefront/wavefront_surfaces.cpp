@@ -29,8 +29,9 @@ bool Wavefront::shaded_together(const textures::CompiledTexture& texture, int de
     grainy += layer.finish.crand > 0;
     if (layer.finish.subsurface && scene_.effects && scene_.effects->subsurface) return false;
   }
-  // The numbers of several grainy layers are drawn layer by layer, while these are lit light by light.
-  return grainy == 0 || (grainy == 1 && depth == 0);
+  // The numbers of several grainy layers are drawn layer by layer, while these are lit light by light; and photons draw
+  // some before the lights.
+  return grainy == 0 || (grainy == 1 && depth == 0 && !photons_);
 }
 
 Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& texture) const {

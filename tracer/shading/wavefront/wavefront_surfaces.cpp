@@ -309,7 +309,7 @@ void Wavefront::find_layers(int* leaves, int n) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
       const Color& c = colors_[k];
       const bool finite = !material.layer->normal || faces_finitely(leaf.ray, normals_[k]);  // else known by `meet`
-      if (!colored_[k] || !finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
+      if (!finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
         met_[leaf.ray].together = false;
         continue;
       }
@@ -322,10 +322,12 @@ void Wavefront::find_layers(int* leaves, int n) {
       if (material.lobes & kFilm) part.thickness = thickness[k];
       const Rgb reflected = material.mirror ? add_mirror(leaf, part) : Rgb();
       if (material.only && c.f == 0 && c.t == 0) continue;
-      leaf.filter *= c.transmission();
-      if (material.layer->finish.conserve_energy)
-        leaf.filter *=
-            {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
+      if (colored_[k]) {  // else there is no layer here, as beside an image that is shown once
+        leaf.filter *= c.transmission();
+        if (material.layer->finish.conserve_energy)
+          leaf.filter *=
+              {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
+      }
       leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
       if (leaf.translucency > tracer_.bailout(state_)) leaves[still++] = leaves[k];
     }

@@ -341,11 +341,11 @@ struct Object {
   bool hollow_inherited = false;                // as written for a CSG object around it
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;
   bool uv_mapping = false, sturm = false, hierarchy = true, split_union = true, cutaway_textures = false;
-  float radiosity_importance = -1;  // < 0: the scene's default
+  bool ignore_global_lights = false;  // of objects below a light_group, see group_lights
+  float radiosity_importance = -1;    // < 0: the scene's default
   Rare<PhotonFlags> photons;
-  // Filled in by finish_statement for objects below a light_group: their own lights, and whether the global ones apply.
+  // Filled in by finish_statement for objects below a light_group: their own lights.
   List<std::shared_ptr<const LightSource>> group_lights;
-  bool ignore_global_lights = false;
 
   // The shape if it is a T; null: another one.
   template <class T>

@@ -104,7 +104,7 @@ class Wavefront {
     std::optional<SurfaceHit> at;          // with leaves
   };
 
-  bool shaded_together(const textures::CompiledTexture& texture, int depth) const;
+  bool shaded_together(const textures::CompiledTexture& texture, int depth, int& rest) const;
   Materials find_materials(const textures::CompiledTexture& texture) const;
   const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);

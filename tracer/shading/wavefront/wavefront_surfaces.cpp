@@ -11,17 +11,20 @@ namespace {
 constexpr std::size_t kMaxTextures = 8, kMaxLayers = 8;  // of a hit; what has more goes the common way
 // Of a map two textures show at most, but of one in another there may be more.
 constexpr int kMaxNesting = 4;
+// Looked at in a texture of textures: maps may share entries, so that there are powers of them.
+constexpr int kMaxEntries = 1024;
 
 bool is_mirror(const scene::Finish& f) { return f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb(); }
 
 }  // namespace
 
-// `depth`: textures around this one.
-bool Wavefront::shaded_together(const textures::CompiledTexture& texture, int depth) const {
+// `depth`: textures around this one; `rest`: entries that may still be looked at.
+bool Wavefront::shaded_together(const textures::CompiledTexture& texture, int depth, int& rest) const {
+  if (--rest < 0) return false;
   if (texture.patterned()) {
     return depth < kMaxNesting && !texture.map.empty() && (!texture.average || texture.map.size() <= kMaxTextures) &&
            std::ranges::all_of(texture.map,
-                               [&](const auto& entry) { return shaded_together(*entry.value, depth + 1); });
+                               [&](const auto& entry) { return shaded_together(*entry.value, depth + 1, rest); });
   }
   if (texture.layers.size() > kMaxLayers) return false;
   int grainy = 0;
@@ -36,7 +39,8 @@ bool Wavefront::shaded_together(const textures::CompiledTexture& texture, int de
 
 Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& texture) const {
   Materials all;
-  if (!shaded_together(texture, 0)) return all;
+  int rest = kMaxEntries;
+  if (!shaded_together(texture, 0, rest)) return all;
   if (texture.patterned()) {
     all.emplace_back();
     return all;
